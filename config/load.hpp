@@ -1,0 +1,40 @@
+#pragma once
+
+#include "config/config.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace autostereo::config {
+
+/// One line: `file:line:column: key: what is wrong (allowed ...)`.
+class ConfigError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Configuration file -> Config. Missing keys keep the value of the embedded default.toml;
+/// unknown keys, wrong types and values out of range throw ConfigError.
+[[nodiscard]] Config loadConfig(const std::filesystem::path& file);
+/// The embedded default.toml.
+[[nodiscard]] Config defaultConfig();
+
+/// Display profile by file path, or by name from the embedded profiles. Throws ConfigError;
+/// no physical number has a default.
+[[nodiscard]] calib::DisplayProfile loadDisplay(const std::string& nameOrFile);
+/// Names of the embedded profiles, sorted.
+[[nodiscard]] std::vector<std::string> displayNames();
+
+/// Rig file (TOML, or camera.json by its extension) -> SensorRig. Throws ConfigError.
+[[nodiscard]] calib::SensorRig loadRig(const std::filesystem::path& file);
+/// The embedded rigs/example.toml: nominal cameras for inputs without a calibration.
+[[nodiscard]] calib::SensorRig exampleRig();
+
+/// What a TOML file is, by its content: a configuration, a display or a rig.
+enum class FileKind { Config, Display, Rig };
+[[nodiscard]] FileKind kindOf(const std::filesystem::path& file);
+
+} // namespace autostereo::config

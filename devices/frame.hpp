@@ -1,0 +1,108 @@
+#pragma once
+
+#include "devices/clock.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace autostereo::devices {
+
+enum class PixelFormat : std::uint8_t {
+    Depth16, ///< host-endian uint16 counts of `depthUnitM` along the optical axis; 0, 65535: none
+    Rgba8,   ///< 8-bit R, G, B, 255; gamma-encoded as the camera gave it
+};
+
+[[nodiscard]] constexpr std::size_t bytesPerPixel(PixelFormat format) {
+    return format == PixelFormat::Depth16 ? 2 : 4;
+}
+
+struct FrameMetadata {
+    PixelFormat format = PixelFormat::Rgba8;
+    int width = 0; ///< pixels; rows are tightly packed, top row first
+    int height = 0;
+    std::uint64_t sequence = 0;  ///< per stream; gaps are frames the source lost
+    TimePoint capturedAt{};      ///< middle of the exposure
+    double depthUnitM = 0.001;   ///< metres per count, Depth16 only
+    bool hasAmplitude = false;   ///< Depth16: a uint16 IR amplitude plane follows the depth
+};
+
+/// One picture from one sensor, holding a lease on a slot of its source's FramePool.
+/// Movable, not copyable; destruction gives the slot back. The pool must outlive it. Reentrant.
+class Frame {
+  public:
+    /// Where a lease returns to; implemented by FramePool.
+    class Owner {
+      public:
+        virtual void release(std::size_t slot) noexcept = 0;
+
+      protected:
+        ~Owner() = default;
+    };
+
+    Frame() = default;
+    Frame(Owner& owner, std::size_t slot, std::span<std::byte> storage, FrameMetadata metadata)
+        : owner_(&owner), slot_(slot), storage_(storage), metadata_(metadata) {}
+    Frame(Frame&& other) noexcept { swap(other); }
+    Frame& operator=(Frame&& other) noexcept {
+        Frame(std::move(other)).swap(*this);
+        return *this;
+    }
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
+    ~Frame() {
+        if (owner_ != nullptr) owner_->release(slot_);
+    }
+
+    [[nodiscard]] bool empty() const { return owner_ == nullptr; }
+    [[nodiscard]] const FrameMetadata& metadata() const { return metadata_; }
+    [[nodiscard]] FrameMetadata& metadata() { return metadata_; }
+    [[nodiscard]] std::size_t pixelCount() const {
+        return static_cast<std::size_t>(metadata_.width) * static_cast<std::size_t>(metadata_.height);
+    }
+
+    /// width * height * bytesPerPixel, top row first.
+    [[nodiscard]] std::span<const std::byte> pixels() const {
+        return storage_.first(pixelCount() * bytesPerPixel(metadata_.format));
+    }
+    [[nodiscard]] std::span<std::byte> pixels() {
+        return storage_.first(pixelCount() * bytesPerPixel(metadata_.format));
+    }
+    [[nodiscard]] std::span<const std::uint16_t> depth() const { return plane16(0); }
+    [[nodiscard]] std::span<std::uint16_t> depth() { return plane16(0); }
+    /// Empty where the sensor has none.
+    [[nodiscard]] std::span<const std::uint16_t> amplitude() const {
+        return metadata_.hasAmplitude ? plane16(1) : std::span<std::uint16_t>{};
+    }
+    [[nodiscard]] std::span<std::uint16_t> amplitude() {
+        return metadata_.hasAmplitude ? plane16(1) : std::span<std::uint16_t>{};
+    }
+
+  private:
+    void swap(Frame& other) noexcept {
+        std::swap(owner_, other.owner_);
+        std::swap(slot_, other.slot_);
+        std::swap(storage_, other.storage_);
+        std::swap(metadata_, other.metadata_);
+    }
+    [[nodiscard]] std::span<std::uint16_t> plane16(std::size_t plane) const {
+        // Slots are allocated with the alignment of max_align_t, so the cast is to aligned storage.
+        auto* first = reinterpret_cast<std::uint16_t*>(storage_.data());
+        return {first + plane * pixelCount(), pixelCount()};
+    }
+
+    Owner* owner_ = nullptr;
+    std::size_t slot_ = 0;
+    std::span<std::byte> storage_;
+    FrameMetadata metadata_;
+};
+
+/// One depth and one colour frame that belong together.
+struct RgbdFrame {
+    Frame depth;
+    Frame color;
+    std::uint64_t index = 0; ///< counts pairs from 0
+};
+
+} // namespace autostereo::devices

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "devices/clock.hpp"
+
+namespace autostereo::devices {
+
+/// Pairing of the two streams.
+struct SyncParams {
+    /// A depth and a colour frame whose mid-exposures lie further apart are no pair.
+    Duration tolerance = std::chrono::milliseconds(20);
+};
+
+/// Reopening a sensor that went away.
+struct ReconnectParams {
+    Duration firstDelay = std::chrono::milliseconds(200);
+    Duration longestDelay = std::chrono::seconds(5);
+};
+
+} // namespace autostereo::devices

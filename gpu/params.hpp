@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+namespace autostereo::gpu {
+
+/// How the N views come to their tiles.
+enum class Method { Instanced, Multipass };
+/// How a sub-pixel reads its tile.
+enum class TileFilter { Nearest, Linear };
+
+struct DepthMeshParams {
+    double nearestM = 0.15; ///< depth outside [nearest, farthest] counts as no measurement
+    double farthestM = 10.0;
+    /// A triangle whose farthest corner is more than this fraction farther than its nearest one
+    /// bridges two surfaces and is cut.
+    double cutRatio = 0.05;
+};
+
+struct DepthBudgetParams {
+    /// Camera depth shown in the panel's plane; none: median depth of the picture's central third.
+    std::optional<double> focusM;
+    /// Multiplies the natural scale (cameras' width at the focus = panel width).
+    double depthScale = 1.0;
+};
+
+struct SynthesisParams {
+    Method method = Method::Instanced;
+    TileFilter filter = TileFilter::Linear;
+};
+
+struct PipelineParams {
+    DepthMeshParams mesh;
+    DepthBudgetParams budget;
+    SynthesisParams synthesis;
+    std::array<double, 3> clearColor{0, 0, 0}; ///< gamma-encoded, 0..1
+};
+
+} // namespace autostereo::gpu

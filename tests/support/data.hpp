@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+
+namespace autostereo::test {
+
+/// Folder with real recordings: $AUTOSTEREO_DATA, else the one found at configuration.
+[[nodiscard]] std::filesystem::path dataDir();
+
+} // namespace autostereo::test
+
+/// Skips a test with a reason a person can read; with AUTOSTEREO_REQUIRE=data (CI) it fails.
+#define AUTOSTEREO_NEED_DATA(relative)                                                             \
+    do {                                                                                           \
+        if (!std::filesystem::exists(autostereo::test::dataDir() / (relative))) {                  \
+            if (autostereo::test::required("data"))                                                \
+                FAIL() << "test data missing: " << (autostereo::test::dataDir() / (relative));     \
+            GTEST_SKIP() << "test data missing: " << (autostereo::test::dataDir() / (relative));   \
+        }                                                                                          \
+    } while (false)
+
+namespace autostereo::test {
+/// True when $AUTOSTEREO_REQUIRE (a comma-separated list) names `what`.
+[[nodiscard]] bool required(const char* what);
+} // namespace autostereo::test
