@@ -33,12 +33,12 @@ struct QuiltLayout {
 
 /// What the glass is. Plain numbers, in SI units; built by `config` from displays/*.toml.
 struct DisplayProfile {
-    std::string name;  ///< file stem, e.g. "looking-glass-portrait"
-    std::string model; ///< for people
-    std::string type;  ///< "linear", "van_berkel", "looking_glass", "preview"
+    std::string name;         ///< file stem, e.g. "looking-glass-portrait"
+    std::string model;        ///< for people
+    std::string type;         ///< "linear", "van_berkel", "looking_glass", "preview"
     bool placeholder = false; ///< true: template numbers, a per-unit file should replace them
 
-    int width = 0;  ///< native mode in pixels; 0: whatever mode the monitor has ("preview")
+    int width = 0; ///< native mode in pixels; 0: whatever mode the monitor has ("preview")
     int height = 0;
     double widthM = 0;           ///< active area
     double viewingDistanceM = 0; ///< D, nominal

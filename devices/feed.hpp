@@ -32,7 +32,8 @@ class Feed {
   public:
     virtual ~Feed() = default;
     /// The next pair, or nothing within `wait`. Never throws.
-    [[nodiscard]] virtual std::optional<RgbdFrame> next(std::chrono::milliseconds wait) noexcept = 0;
+    [[nodiscard]] virtual std::optional<RgbdFrame>
+    next(std::chrono::milliseconds wait) noexcept = 0;
     /// No pair will ever come again (end of a recording).
     [[nodiscard]] virtual bool ended() const noexcept = 0;
     [[nodiscard]] virtual FeedCounters counters() const noexcept = 0;

@@ -22,10 +22,10 @@ struct FrameMetadata {
     PixelFormat format = PixelFormat::Rgba8;
     int width = 0; ///< pixels; rows are tightly packed, top row first
     int height = 0;
-    std::uint64_t sequence = 0;  ///< per stream; gaps are frames the source lost
-    TimePoint capturedAt{};      ///< middle of the exposure
-    double depthUnitM = 0.001;   ///< metres per count, Depth16 only
-    bool hasAmplitude = false;   ///< Depth16: a uint16 IR amplitude plane follows the depth
+    std::uint64_t sequence = 0; ///< per stream; gaps are frames the source lost
+    TimePoint capturedAt{};     ///< middle of the exposure
+    double depthUnitM = 0.001;  ///< metres per count, Depth16 only
+    bool hasAmplitude = false;  ///< Depth16: a uint16 IR amplitude plane follows the depth
 };
 
 /// One picture from one sensor, holding a lease on a slot of its source's FramePool.
@@ -59,7 +59,8 @@ class Frame {
     [[nodiscard]] const FrameMetadata& metadata() const { return metadata_; }
     [[nodiscard]] FrameMetadata& metadata() { return metadata_; }
     [[nodiscard]] std::size_t pixelCount() const {
-        return static_cast<std::size_t>(metadata_.width) * static_cast<std::size_t>(metadata_.height);
+        return static_cast<std::size_t>(metadata_.width) *
+               static_cast<std::size_t>(metadata_.height);
     }
 
     /// width * height * bytesPerPixel, top row first.

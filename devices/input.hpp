@@ -32,8 +32,8 @@ struct Input {
     /// The input's own calibration, if it has one; a missing camera of a single-stream input is
     /// filled in by `completeRig`.
     std::optional<calib::SensorRig> rig;
-    Duration startsAt{0};         ///< media time of the first frame of either stream
-    Duration nominalPeriod{0};    ///< between frames, 0: unknown
+    Duration startsAt{0};      ///< media time of the first frame of either stream
+    Duration nominalPeriod{0}; ///< between frames, 0: unknown
     std::vector<std::string> warnings;
 };
 

@@ -12,8 +12,8 @@ std::filesystem::path dataDir() {
 
 bool required(const char* what) {
     const char* list = std::getenv("AUTOSTEREO_REQUIRE");
-    return list != nullptr && (',' + std::string(list) + ',').find(',' + std::string(what) + ',') !=
-                                  std::string::npos;
+    return list != nullptr &&
+           (',' + std::string(list) + ',').find(',' + std::string(what) + ',') != std::string::npos;
 }
 
 } // namespace autostereo::test
