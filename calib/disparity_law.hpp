@@ -1,0 +1,32 @@
+#pragma once
+
+#include "calib/display_profile.hpp"
+
+#include <algorithm>
+
+namespace autostereo::calib {
+
+/// Camera depth -> disparity at the edge of the fan (|b| = 1), in panel widths, near > 0:
+/// Z = scale (focus - z), d = Bx Z / (D - Z), clamped to the display's budget. In a view at
+/// position b a point of the cyclopean picture at u is seen at x = u - b d.
+struct DisparityLaw {
+    double focusM = 1;          ///< camera depth in the panel's plane
+    double scale = 1;           ///< display metres per camera metre
+    double viewerDistanceM = 1; ///< D
+    double fanHalfWidth = 0;    ///< Bx = D tan(cone / 2) / W, panel widths
+    double farthest = 0;        ///< budget, panel widths: farthest <= 0 <= nearest
+    double nearest = 0;
+
+    [[nodiscard]] double disparity(double z) const {
+        const double height = scale * (focusM - z);
+        const double gap = viewerDistanceM - height;
+        if (!(gap > 0)) return nearest; // at or behind the viewer's eye
+        return std::clamp(fanHalfWidth * height / gap, farthest, nearest);
+    }
+};
+
+/// `cameraWidthAtFocusM`: what of the scene fills the panel's width in the focus plane, metres.
+[[nodiscard]] DisparityLaw disparityLaw(const DisplayProfile& display, double focusM,
+                                        double cameraWidthAtFocusM, double depthScale);
+
+} // namespace autostereo::calib

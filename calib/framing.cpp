@@ -1,0 +1,57 @@
+#include "calib/framing.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace autostereo::calib {
+
+namespace {
+
+struct Box {
+    double left = -std::numeric_limits<double>::infinity();
+    double right = std::numeric_limits<double>::infinity();
+    double top = -std::numeric_limits<double>::infinity();
+    double bottom = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool empty() const { return !(left < right && top < bottom); }
+};
+
+/// Shrinks `box` to what `camera` covers at distance `z`, seen from the colour camera. The
+/// picture's edges are sampled: distortion and tilt bend them.
+void coverAt(const CameraModel& camera, const RigidTransform& colorFromCamera, double z, Box& box) {
+    constexpr int kSamples = 33;
+    const double right = camera.intrinsics.width - 1, bottom = camera.intrinsics.height - 1;
+    const auto seen = [&](double x, double y) -> std::optional<glm::dvec2> {
+        const auto ray = camera.unproject({x, y});
+        if (!ray) return std::nullopt;
+        const glm::dvec3 point = colorFromCamera * glm::dvec3{ray->x * z, ray->y * z, z};
+        if (!(point.z > 0)) return std::nullopt;
+        return glm::dvec2{point.x / point.z, point.y / point.z};
+    };
+    for (int i = 0; i < kSamples; ++i) {
+        const double along = static_cast<double>(i) / (kSamples - 1);
+        if (const auto p = seen(0, along * bottom)) box.left = std::max(box.left, p->x);
+        if (const auto p = seen(right, along * bottom)) box.right = std::min(box.right, p->x);
+        if (const auto p = seen(along * right, 0)) box.top = std::max(box.top, p->y);
+        if (const auto p = seen(along * right, bottom)) box.bottom = std::min(box.bottom, p->y);
+    }
+}
+
+} // namespace
+
+Framing framePanel(const SensorRig& rig, double panelAspect, double overscan, double focusM) {
+    constexpr double kFarM = 100; // parallax between the cameras is gone
+    Box color;
+    coverAt(rig.color, RigidTransform{}, 1, color);
+    Box box = color;
+    for (const double z : {focusM, kFarM})
+        coverAt(rig.depth, rig.colorFromDepth, z, box);
+    if (box.empty()) box = color; // cameras that look past each other: show the colour picture
+    const double width =
+        std::min((box.right - box.left) / (1 + 2 * overscan), (box.bottom - box.top) * panelAspect);
+    const double height = width / panelAspect;
+    return {(box.left + box.right - width) / 2, (box.top + box.bottom + height) / 2, width, height};
+}
+
+} // namespace autostereo::calib

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+namespace autostereo::gpu {
+
+// Uniform blocks that several passes share, laid out as std140 in the shader of the same name;
+// a test compares every offset with what the driver says.
+
+/// shaders/mesh_block.glsl, binding 0.
+struct MeshBlock {
+    glm::mat4 colorFromDepth{1};
+    glm::vec4 colorPinhole{0};
+    glm::vec4 colorSize{0};
+    glm::vec4 colorRadial{0};
+    glm::vec4 colorRational{0};
+    glm::vec4 framing{0};
+    glm::vec4 law{0};
+    glm::vec4 budget{0};
+    glm::uvec4 counts{0};
+};
+static_assert(sizeof(MeshBlock) == 192);
+
+/// shaders/views_block.glsl, binding 1.
+struct ViewsBlock {
+    glm::ivec4 tiles{0};
+    glm::vec4 range{0};
+};
+static_assert(sizeof(ViewsBlock) == 32);
+
+/// shaders/interleaver.frag, binding 2.
+struct InterleaverBlock {
+    glm::uvec4 fan{0};
+    glm::ivec4 tiles{0};
+    glm::ivec4 panel{0};
+};
+static_assert(sizeof(InterleaverBlock) == 48);
+
+/// shaders/mesh_eye.vert and mesh_camera.vert (its first member), binding 3.
+struct EyeBlock {
+    glm::vec4 eye{0};
+    glm::vec4 form{0};
+};
+static_assert(sizeof(EyeBlock) == 32);
+
+} // namespace autostereo::gpu

@@ -1,0 +1,137 @@
+#include "gpu/depth_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace autostereo::gpu {
+
+namespace {
+
+constexpr float kNoRay = 1e30F; // shaders/mesh_block.glsl tests for less
+
+std::vector<std::string> backgroundDefine() {
+    return {"BACKGROUND " + std::to_string(DepthMesh::kBackgroundStride)};
+}
+
+gl::Texture makeRays(const calib::CameraModel& camera) {
+    const int width = camera.intrinsics.width, height = camera.intrinsics.height;
+    std::vector<glm::vec2> rays;
+    rays.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            rays.emplace_back(camera.unproject({x, y}).value_or(glm::dvec2(kNoRay)));
+    gl::Texture texture(GL_RG32F, width, height);
+    glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RG, GL_FLOAT, rays.data());
+    return texture;
+}
+
+MeshLayer makeLayer(int width, int height) {
+    const int cells = std::max(0, width - 1) * std::max(0, height - 1);
+    MeshLayer layer;
+    layer.points = gl::Texture(GL_RGBA32F, width, height);
+    layer.sources = gl::Texture(GL_RG32F, width, height);
+    layer.indexCount = 6 * cells;
+    layer.indices = gl::makeBuffer(
+        sizeof(GLuint) * static_cast<std::size_t>(std::max(1, layer.indexCount)), nullptr, 0);
+    return layer;
+}
+
+/// One invocation per element of a grid, in groups of 16 x 16 as every shader here declares.
+void dispatch(const gl::Program& program, int width, int height) {
+    program.use();
+    glDispatchCompute(static_cast<GLuint>(width + 15) / 16, static_cast<GLuint>(height + 15) / 16,
+                      1);
+}
+
+} // namespace
+
+DepthMesh::DepthMesh(const DepthMeshParams& params, const calib::SensorRig& rig)
+    : params_(params), rig_(rig), reduce_({"background_reduce.comp"}, backgroundDefine()),
+      spread_({"background_spread.comp"}, backgroundDefine()), scenePoints_({"mesh_points.comp"}),
+      sceneIndices_({"mesh_indices.comp"}),
+      backgroundPoints_({"mesh_points.comp"}, backgroundDefine()),
+      backgroundIndices_({"mesh_indices.comp"}, backgroundDefine()) {}
+
+void DepthMesh::build(const gl::Texture& depth, double depthUnitM, const SceneGeometry& geometry) {
+    if (!scene_.points.isSized(depth.width(), depth.height()))
+        resize(depth.width(), depth.height());
+    setBlock(depthUnitM, geometry);
+    uniforms_.bind(0, block_);
+    glBindTextureUnit(0, rays_.name());
+    buildLayer(scene_, depth, scenePoints_, sceneIndices_);
+    buildSamples(depth);
+    buildLayer(background_, samples_, backgroundPoints_, backgroundIndices_);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
+}
+
+void DepthMesh::resize(int width, int height) {
+    constexpr int kStride = kBackgroundStride;
+    const int columns = (width + kStride - 2) / kStride + 1;
+    const int rows = (height + kStride - 2) / kStride + 1;
+    rays_ = makeRays(rig_.depth.resized(width, height));
+    reduced_ = gl::Texture(GL_RGBA16UI, columns, rows);
+    samples_ = gl::Texture(GL_RGBA16UI, columns, rows);
+    scene_ = makeLayer(width, height);
+    background_ = makeLayer(columns, rows);
+}
+
+void DepthMesh::setBlock(double depthUnitM, const SceneGeometry& geometry) {
+    const auto& [framing, law] = geometry;
+    const calib::Intrinsics& pinhole = rig_.color.intrinsics;
+    const calib::Distortion& bend = rig_.color.distortion;
+    const CountRange range = countRange(params_, depthUnitM);
+    glm::dmat4 pose(rig_.colorFromDepth.rotation);
+    pose[3] = glm::dvec4(rig_.colorFromDepth.translation, 1);
+    block_.colorFromDepth = pose;
+    block_.colorPinhole = glm::dvec4(pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
+    // Squared, it must stay finite in float.
+    const double radius = std::min(bend.metricRadius, 1e9);
+    block_.colorSize = glm::dvec4(pinhole.width, pinhole.height, radius * radius, 0);
+    block_.colorRadial = glm::dvec4(bend.k1, bend.k2, bend.k3, bend.p1);
+    block_.colorRational = glm::dvec4(bend.k4, bend.k5, bend.k6, bend.p2);
+    block_.framing = glm::dvec4(framing.left, framing.bottom, framing.width, framing.height);
+    block_.law = glm::dvec4(law.focusM, law.scale, law.viewerDistanceM, law.fanHalfWidth);
+    block_.budget = glm::dvec4(law.farthest, law.nearest, depthUnitM, 0);
+
+    // The widest gap that a view can open, in background nodes: the whole budget, in panel widths,
+    // over what one node covers of the panel.
+    const double pixelsPerPanel = framing.width * rig_.depth.intrinsics.fx * scene_.points.width() /
+                                  rig_.depth.intrinsics.width;
+    const double reach =
+        std::ceil((law.nearest - law.farthest) * pixelsPerPanel / kBackgroundStride) + 1;
+    constexpr double kLongestReach = 256; // bounds the shader's loop whatever the numbers say
+    block_.counts = glm::uvec4(range.nearest, range.farthest,
+                               static_cast<unsigned>(std::lround(params_.cutRatio * 1000)),
+                               static_cast<unsigned>(std::clamp(reach, 1.0, kLongestReach)));
+}
+
+void DepthMesh::buildSamples(const gl::Texture& depth) {
+    const int columns = samples_.width(), rows = samples_.height();
+    glBindTextureUnit(1, depth.name());
+    glBindImageTexture(0, reduced_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16UI);
+    dispatch(reduce_, columns, rows);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    glBindTextureUnit(0, reduced_.name());
+    glBindImageTexture(0, samples_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16UI);
+    dispatch(spread_, columns, rows);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void DepthMesh::buildLayer(const MeshLayer& layer, const gl::Texture& nodes,
+                           const gl::Program& points, const gl::Program& indices) {
+    const int width = layer.points.width(), height = layer.points.height();
+    glBindTextureUnit(0, rays_.name());
+    glBindTextureUnit(1, nodes.name());
+    glBindImageTexture(0, layer.points.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    glBindImageTexture(1, layer.sources.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
+    dispatch(points, width, height);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    if (layer.indexCount == 0) return; // a single row or column spans no cell
+    glBindTextureUnit(0, layer.points.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, layer.indices.name());
+    dispatch(indices, width - 1, height - 1);
+}
+
+} // namespace autostereo::gpu

@@ -1,0 +1,50 @@
+#include "gpu/frame_uploader.hpp"
+
+#include <cstring>
+
+namespace autostereo::gpu {
+
+FrameUploader::Staging::~Staging() {
+    if (fence_ != nullptr) glDeleteSync(fence_);
+}
+
+void FrameUploader::Staging::reserve(std::size_t bytes) {
+    if (bytes <= capacity_) return;
+    constexpr GLbitfield kMapping = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    buffer_ = gl::makeBuffer(bytes, nullptr, kMapping);
+    mapped_ = static_cast<std::byte*>(
+        glMapNamedBufferRange(buffer_.name(), 0, static_cast<GLsizeiptr>(bytes), kMapping));
+    capacity_ = bytes;
+}
+
+void FrameUploader::Staging::copy(std::span<const std::byte> pixels, const gl::Texture& to,
+                                  GLenum format, GLenum type) {
+    if (fence_ != nullptr) {
+        constexpr GLuint64 kForever = 1'000'000'000; // a GPU that takes a second has other trouble
+        glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, kForever);
+        glDeleteSync(fence_);
+    }
+    reserve(pixels.size());
+    std::memcpy(mapped_, pixels.data(), pixels.size());
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(to.name(), 0, 0, 0, to.width(), to.height(), format, type, nullptr);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+void FrameUploader::upload(const devices::RgbdFrame& frame) {
+    const devices::FrameMetadata& depth = frame.depth.metadata();
+    const devices::FrameMetadata& color = frame.color.metadata();
+    if (!depth_.isSized(depth.width, depth.height))
+        depth_ = gl::Texture(GL_R16UI, depth.width, depth.height);
+    if (!color_.isSized(color.width, color.height)) {
+        color_ = gl::Texture(GL_RGBA8, color.width, color.height);
+        color_.setFilter(GL_LINEAR);
+    }
+    ring_[next_].copy(frame.depth.pixels(), depth_, GL_RED_INTEGER, GL_UNSIGNED_SHORT);
+    ring_[next_ + 1].copy(frame.color.pixels(), color_, GL_RGBA, GL_UNSIGNED_BYTE);
+    next_ = (next_ + 2) % ring_.size();
+}
+
+} // namespace autostereo::gpu

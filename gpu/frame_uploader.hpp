@@ -1,0 +1,46 @@
+#pragma once
+
+#include "devices/frame.hpp"
+#include "gpu/gl/objects.hpp"
+
+#include <array>
+
+namespace autostereo::gpu {
+
+/// Frames -> textures, through a ring of persistently mapped buffers, so that the copy to the GPU
+/// never waits for the frame before. depth: R16UI counts; color: RGBA8, linear filter. Textures
+/// follow the frames' size. Thread-bound.
+class FrameUploader {
+  public:
+    void upload(const devices::RgbdFrame& frame);
+    [[nodiscard]] const gl::Texture& depth() const { return depth_; }
+    [[nodiscard]] const gl::Texture& color() const { return color_; }
+
+  private:
+    /// A mapped staging buffer and the fence behind its last copy.
+    class Staging {
+      public:
+        Staging() = default;
+        ~Staging();
+        Staging(const Staging&) = delete;
+        Staging& operator=(const Staging&) = delete;
+        void copy(std::span<const std::byte> pixels, const gl::Texture& to, GLenum format,
+                  GLenum type);
+
+      private:
+        void reserve(std::size_t bytes);
+
+        gl::Buffer buffer_;
+        std::byte* mapped_ = nullptr;
+        std::size_t capacity_ = 0;
+        GLsync fence_ = nullptr;
+    };
+
+    static constexpr std::size_t kRing = 3;
+    std::array<Staging, 2 * kRing> ring_;
+    std::size_t next_ = 0;
+    gl::Texture depth_;
+    gl::Texture color_;
+};
+
+} // namespace autostereo::gpu

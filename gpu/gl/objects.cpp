@@ -1,0 +1,52 @@
+#include "gpu/gl/objects.hpp"
+
+#include "gpu/gl/error.hpp"
+
+#include <string>
+
+namespace autostereo::gpu::gl {
+
+Texture::Texture(GLenum internalFormat, int width, int height) : width_(width), height_(height) {
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    handle_ = Handle<deleteTexture>(name);
+    glTextureStorage2D(name, 1, internalFormat, width, height);
+    setFilter(GL_NEAREST);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+void Texture::setFilter(GLint filter) const {
+    glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, filter);
+    glTextureParameteri(name(), GL_TEXTURE_MAG_FILTER, filter);
+}
+
+Buffer makeBuffer(std::size_t bytes, const void* data, GLbitfield flags) {
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    Buffer buffer(name);
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), data, flags);
+    return buffer;
+}
+
+VertexArray makeVertexArray() {
+    GLuint name = 0;
+    glCreateVertexArrays(1, &name);
+    return VertexArray(name);
+}
+
+Framebuffer makeFramebuffer(const Texture& color, const Texture* depth) {
+    GLuint name = 0;
+    glCreateFramebuffers(1, &name);
+    Framebuffer framebuffer(name);
+    glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, color.name(), 0);
+    if (depth != nullptr) glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth->name(), 0);
+    const GLenum status = glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw GlError("gl: framebuffer of " + std::to_string(color.width()) + "x" +
+                      std::to_string(color.height()) + " is not complete (status " +
+                      std::to_string(status) + "): does the driver allow this size?");
+    return framebuffer;
+}
+
+} // namespace autostereo::gpu::gl

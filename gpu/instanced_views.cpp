@@ -1,0 +1,27 @@
+#include "gpu/instanced_views.hpp"
+
+namespace autostereo::gpu {
+
+namespace {
+constexpr GLenum kTileEdges = 4;
+}
+
+InstancedViews::InstancedViews(const calib::DisplayProfile& display, const PipelineParams& params)
+    : params_(params), drawer_(params.mesh),
+      program_({"mesh_view.vert", "mesh_view.frag"}, {"TILED"}),
+      positions_(makeViewPositions(display)) {}
+
+void InstancedViews::render(const DepthMesh& mesh, const gl::Texture& color, const Atlas& atlas) {
+    const AtlasLayout& layout = atlas.layout();
+    clearTarget(atlas.framebuffer(), params_);
+    glViewport(0, 0, layout.width(), layout.height());
+    program_.use();
+    glBindTextureUnit(3, positions_.name());
+    for (GLenum edge = 0; edge < kTileEdges; ++edge)
+        glEnable(GL_CLIP_DISTANCE0 + edge);
+    drawer_.draw(mesh, color, {layout.quilt.columns, layout.quilt.rows, 0, 0}, layout.views);
+    for (GLenum edge = 0; edge < kTileEdges; ++edge)
+        glDisable(GL_CLIP_DISTANCE0 + edge);
+}
+
+} // namespace autostereo::gpu

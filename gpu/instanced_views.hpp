@@ -1,0 +1,23 @@
+#pragma once
+
+#include "gpu/layer_drawer.hpp"
+#include "gpu/view_synthesis.hpp"
+
+namespace autostereo::gpu {
+
+/// All views in one instanced draw per layer: the view is the instance, cut to its tile by four
+/// clip distances.
+class InstancedViews final : public ViewSynthesis {
+  public:
+    /// Throws GlError.
+    InstancedViews(const calib::DisplayProfile& display, const PipelineParams& params);
+    void render(const DepthMesh& mesh, const gl::Texture& color, const Atlas& atlas) override;
+
+  private:
+    PipelineParams params_;
+    LayerDrawer drawer_;
+    gl::Program program_;
+    gl::Texture positions_;
+};
+
+} // namespace autostereo::gpu

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "gpu/layer_drawer.hpp"
+#include "gpu/view_synthesis.hpp"
+
+namespace autostereo::gpu {
+
+/// One draw per view and layer into its own viewport: the plain way, and the check of the others.
+class MultipassViews final : public ViewSynthesis {
+  public:
+    /// Throws GlError.
+    MultipassViews(const calib::DisplayProfile& display, const PipelineParams& params);
+    void render(const DepthMesh& mesh, const gl::Texture& color, const Atlas& atlas) override;
+
+  private:
+    PipelineParams params_;
+    LayerDrawer drawer_;
+    gl::Program program_;
+    gl::Texture positions_;
+};
+
+} // namespace autostereo::gpu

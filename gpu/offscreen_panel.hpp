@@ -1,0 +1,29 @@
+#pragma once
+
+#include "gpu/gl/context.hpp"
+#include "gpu/gl/objects.hpp"
+#include "gpu/panel.hpp"
+
+namespace autostereo::gpu {
+
+/// A panel without a monitor: surfaceless context and an RGBA8 framebuffer of the asked size.
+class OffscreenPanel final : public Panel {
+  public:
+    /// Throws GlError.
+    OffscreenPanel(int width, int height, bool debugContext);
+
+    [[nodiscard]] int width() const override { return color_.width(); }
+    [[nodiscard]] int height() const override { return color_.height(); }
+    [[nodiscard]] GLuint framebuffer() const override { return framebuffer_.name(); }
+    void present() override;
+    void pollEvents() override {}
+    [[nodiscard]] bool closed() const override { return false; }
+    [[nodiscard]] std::string description() const override { return "off-screen"; }
+
+  private:
+    gl::SurfacelessContext context_;
+    gl::Texture color_;
+    gl::Framebuffer framebuffer_;
+};
+
+} // namespace autostereo::gpu

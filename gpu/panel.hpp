@@ -1,0 +1,26 @@
+#pragma once
+
+#include "gpu/gl/api.hpp"
+
+#include <string>
+
+namespace autostereo::gpu {
+
+/// Where pixels go: a full-screen window or an off-screen picture. Owns the GL context, which is
+/// current on the constructing thread for the panel's life; everything GL is thread-bound to it.
+class Panel {
+  public:
+    virtual ~Panel() = default;
+    [[nodiscard]] virtual int width() const = 0; ///< pixels, unscaled
+    [[nodiscard]] virtual int height() const = 0;
+    [[nodiscard]] virtual GLuint framebuffer() const = 0;
+    virtual void present() = 0;
+    virtual void pollEvents() = 0;
+    [[nodiscard]] virtual bool closed() const = 0;
+    [[nodiscard]] virtual std::string description() const = 0;
+};
+
+/// GL_RENDERER of the current context.
+[[nodiscard]] std::string rendererName();
+
+} // namespace autostereo::gpu

@@ -1,0 +1,63 @@
+#include "gpu/scene_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace autostereo::gpu {
+
+namespace {
+
+std::vector<double> depthsInside(const devices::Frame& depth, const calib::SensorRig& rig,
+                                 const CountRange& range, int left, int top, int right,
+                                 int bottom) {
+    std::vector<double> found;
+    const devices::FrameMetadata& form = depth.metadata();
+    for (int y = top; y < bottom; ++y) {
+        for (int x = left; x < right; ++x) {
+            const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(form.width) +
+                               static_cast<std::size_t>(x);
+            const std::uint32_t count = depth.depth()[index];
+            if (count < range.nearest || count > range.farthest) continue;
+            const auto ray = rig.depth.unproject({x, y});
+            if (!ray) continue;
+            const double z = count * form.depthUnitM;
+            found.push_back((rig.colorFromDepth * glm::dvec3{ray->x * z, ray->y * z, z}).z);
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+CountRange countRange(const DepthMeshParams& mesh, double depthUnitM) {
+    constexpr double kLargest = 65534; // 65535 means "no measurement", as 0 does
+    const double nearest = std::clamp(std::ceil(mesh.nearestM / depthUnitM), 1.0, kLargest);
+    const double farthest = std::clamp(std::floor(mesh.farthestM / depthUnitM), nearest, kLargest);
+    return {static_cast<std::uint32_t>(nearest), static_cast<std::uint32_t>(farthest)};
+}
+
+std::optional<double> medianDepth(const devices::Frame& depth, const calib::SensorRig& rig,
+                                  const DepthMeshParams& mesh) {
+    const int width = depth.metadata().width, height = depth.metadata().height;
+    const CountRange range = countRange(mesh, depth.metadata().depthUnitM);
+    std::vector<double> depths = depthsInside(depth, rig, range, width / 3, height / 3,
+                                              width - width / 3, height - height / 3);
+    if (depths.empty()) depths = depthsInside(depth, rig, range, 0, 0, width, height);
+    if (depths.empty()) return std::nullopt;
+    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::nth_element(depths.begin(), middle, depths.end());
+    return *middle;
+}
+
+SceneGeometry sceneGeometry(const calib::SensorRig& rig, const calib::DisplayProfile& display,
+                            const DepthBudgetParams& budget, double panelAspect, double focusM) {
+    const double overscan = std::max(-display.disparityFar, display.disparityNear);
+    SceneGeometry geometry;
+    geometry.framing = calib::framePanel(rig, panelAspect, overscan, focusM);
+    geometry.law =
+        calib::disparityLaw(display, focusM, geometry.framing.width * focusM, budget.depthScale);
+    return geometry;
+}
+
+} // namespace autostereo::gpu

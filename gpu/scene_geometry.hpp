@@ -1,0 +1,39 @@
+#pragma once
+
+#include "calib/disparity_law.hpp"
+#include "calib/display_profile.hpp"
+#include "calib/framing.hpp"
+#include "calib/sensor_rig.hpp"
+#include "devices/frame.hpp"
+#include "gpu/params.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace autostereo::gpu {
+
+/// How the scene is put behind the glass: what the panel frames, and how depth becomes disparity.
+struct SceneGeometry {
+    calib::Framing framing;
+    calib::DisparityLaw law;
+};
+
+/// Depth counts that are measurements, inclusive, for a frame's unit.
+struct CountRange {
+    std::uint32_t nearest = 1;
+    std::uint32_t farthest = 65534;
+};
+[[nodiscard]] CountRange countRange(const DepthMeshParams& mesh, double depthUnitM);
+
+/// Median depth, at the colour camera, of the picture's central third (of the whole picture where
+/// that has no measurement); none where nothing is measured.
+[[nodiscard]] std::optional<double>
+medianDepth(const devices::Frame& depth, const calib::SensorRig& rig, const DepthMeshParams& mesh);
+
+/// `panelAspect` = width / height in pixels (square pixels).
+[[nodiscard]] SceneGeometry sceneGeometry(const calib::SensorRig& rig,
+                                          const calib::DisplayProfile& display,
+                                          const DepthBudgetParams& budget, double panelAspect,
+                                          double focusM);
+
+} // namespace autostereo::gpu

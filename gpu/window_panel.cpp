@@ -1,0 +1,114 @@
+#include "gpu/window_panel.hpp"
+
+#include "gpu/gl/debug_output.hpp"
+#include "gpu/gl/error.hpp"
+
+#include <GLFW/glfw3.h>
+#include <spdlog/spdlog.h>
+
+#include <span>
+
+namespace autostereo::gpu {
+
+namespace {
+
+std::span<GLFWmonitor*> monitors() {
+    int count = 0;
+    GLFWmonitor** first = glfwGetMonitors(&count);
+    return {first, static_cast<std::size_t>(count)};
+}
+
+std::string sizeText(int width, int height) {
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
+GLFWmonitor* chooseMonitor(int width, int height, bool force) {
+    if (monitors().empty())
+        throw GlError("window: the display server has no monitor: is one connected?");
+    if (width == 0) return glfwGetPrimaryMonitor();
+    std::string offered;
+    for (GLFWmonitor* monitor : monitors()) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        if (mode->width == width && mode->height == height) return monitor;
+        offered += (offered.empty() ? "" : ", ") + std::string(glfwGetMonitorName(monitor)) + " " +
+                   sizeText(mode->width, mode->height);
+    }
+    if (force) return glfwGetPrimaryMonitor();
+    throw GlError("window: no monitor is in the display's native mode " + sizeText(width, height) +
+                  " (found: " + offered + "): set that mode, or --force to show it all the same");
+}
+
+void setHints(const GLFWvidmode& mode, bool debugContext) {
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, debugContext ? GLFW_TRUE : GLFW_FALSE);
+    // The current mode exactly: asking for any other would let the monitor scale the sub-pixels.
+    glfwWindowHint(GLFW_RED_BITS, mode.redBits);
+    glfwWindowHint(GLFW_GREEN_BITS, mode.greenBits);
+    glfwWindowHint(GLFW_BLUE_BITS, mode.blueBits);
+    glfwWindowHint(GLFW_REFRESH_RATE, mode.refreshRate);
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+}
+
+} // namespace
+
+GlfwLibrary::GlfwLibrary() : running_(glfwInit() == GLFW_TRUE) {}
+
+GlfwLibrary::~GlfwLibrary() {
+    if (running_) glfwTerminate();
+}
+
+std::vector<MonitorInfo> listMonitors() {
+    const GlfwLibrary glfw;
+    std::vector<MonitorInfo> found;
+    if (!glfw.running()) return found;
+    for (GLFWmonitor* monitor : monitors()) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        found.push_back(
+            {glfwGetMonitorName(monitor), mode->width, mode->height, mode->refreshRate});
+    }
+    return found;
+}
+
+WindowPanel::WindowPanel(int width, int height, bool force, bool debugContext) {
+    if (!glfw_.running())
+        throw GlError("window: cannot reach a display server: is DISPLAY or WAYLAND_DISPLAY set?");
+    GLFWmonitor* monitor = chooseMonitor(width, height, force);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    setHints(*mode, debugContext);
+    window_ = glfwCreateWindow(mode->width, mode->height, "autostereo", monitor, nullptr);
+    if (window_ == nullptr) {
+        const char* reason = nullptr;
+        glfwGetError(&reason);
+        throw GlError(std::string("window: cannot open a full-screen OpenGL 4.5 window: ") +
+                      (reason != nullptr ? reason : "unknown reason"));
+    }
+    glfwMakeContextCurrent(window_);
+    if (debugContext) gl::logDebugOutput();
+    glfwSwapInterval(1);
+    glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
+    glfwGetFramebufferSize(window_, &width_, &height_);
+    if (width_ != mode->width || height_ != mode->height)
+        spdlog::warn("window: framebuffer {} on a monitor of {}: the picture is scaled and the "
+                     "views will mix; turn off display scaling",
+                     sizeText(width_, height_), sizeText(mode->width, mode->height));
+    description_ = std::string("window on ") + glfwGetMonitorName(monitor);
+}
+
+WindowPanel::~WindowPanel() {
+    if (window_ != nullptr) glfwDestroyWindow(window_);
+}
+
+void WindowPanel::present() { glfwSwapBuffers(window_); }
+void WindowPanel::pollEvents() { glfwPollEvents(); }
+
+bool WindowPanel::closed() const {
+    return glfwWindowShouldClose(window_) == GLFW_TRUE ||
+           glfwGetKey(window_, GLFW_KEY_ESCAPE) == GLFW_PRESS;
+}
+
+} // namespace autostereo::gpu
