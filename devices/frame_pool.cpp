@@ -1,7 +1,9 @@
 #include "devices/frame_pool.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <atomic>
+#include <cstdint>
+#include <vector>
 
 namespace autostereo::devices {
 
@@ -17,35 +19,67 @@ std::size_t bytesNeeded(const FrameMetadata& metadata) {
 
 } // namespace
 
-FramePool::FramePool(std::size_t slots) : slots_(slots) {}
+class FramePool::Slots final : public Frame::Owner {
+  public:
+    explicit Slots(std::size_t count) : slots_(count) {}
 
-FramePool::~FramePool() { assert(leased() == 0 && "a frame outlived its pool"); }
+    std::optional<Frame> acquire(const FrameMetadata& metadata) {
+        for (std::size_t i = 0; i < slots_.size(); ++i) {
+            Slot& slot = slots_[i];
+            // Only this thread takes slots, so a free one stays free; acquire orders the reuse of
+            // the storage after the last reader's accesses.
+            if (slot.busy.load(std::memory_order_acquire)) continue;
+            slot.fit(bytesNeeded(metadata));
+            slot.busy.store(true, std::memory_order_relaxed);
+            users_.fetch_add(1, std::memory_order_relaxed);
+            return Frame(*this, i, std::as_writable_bytes(std::span(slot.storage)), metadata);
+        }
+        return std::nullopt;
+    }
+
+    void release(std::size_t slot) noexcept override {
+        slots_[slot].busy.store(false, std::memory_order_release);
+        leave();
+    }
+
+    /// The pool or a frame is gone; the last one deletes.
+    void leave() noexcept {
+        if (users_.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
+    }
+
+    [[nodiscard]] std::size_t leased() const noexcept {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            slots_, [](const Slot& slot) { return slot.busy.load(std::memory_order_relaxed); }));
+    }
+
+  private:
+    struct Slot {
+        std::atomic<bool> busy{false};
+        std::vector<std::max_align_t> storage;
+
+        void fit(std::size_t bytes) {
+            const std::size_t units =
+                (bytes + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
+            if (storage.size() >= units) return;
+            storage.clear(); // nothing to carry over to the bigger block
+            storage.resize(units);
+        }
+    };
+
+    ~Slots() = default;
+
+    std::vector<Slot> slots_;
+    std::atomic<std::size_t> users_{1}; // the pool and every leased frame
+};
+
+FramePool::FramePool(std::size_t slots) : slots_(new Slots(slots)) {}
+
+FramePool::~FramePool() { slots_->leave(); }
 
 std::optional<Frame> FramePool::acquire(const FrameMetadata& metadata) {
-    for (std::size_t i = 0; i < slots_.size(); ++i) {
-        Slot& slot = slots_[i];
-        // Only this thread takes slots, so a free one stays free; acquire orders the reuse of the
-        // storage after the last reader's accesses.
-        if (slot.busy.load(std::memory_order_acquire)) continue;
-        const std::size_t unit = sizeof(std::max_align_t);
-        const std::size_t units = (bytesNeeded(metadata) + unit - 1) / unit;
-        if (slot.storage.size() < units) {
-            slot.storage.clear(); // nothing to carry over to the bigger block
-            slot.storage.resize(units);
-        }
-        slot.busy.store(true, std::memory_order_relaxed);
-        return Frame(*this, i, std::as_writable_bytes(std::span(slot.storage)), metadata);
-    }
-    return std::nullopt;
+    return slots_->acquire(metadata);
 }
 
-std::size_t FramePool::leased() const noexcept {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        slots_, [](const Slot& slot) { return slot.busy.load(std::memory_order_relaxed); }));
-}
-
-void FramePool::release(std::size_t slot) noexcept {
-    slots_[slot].busy.store(false, std::memory_order_release);
-}
+std::size_t FramePool::leased() const noexcept { return slots_->leased(); }
 
 } // namespace autostereo::devices
