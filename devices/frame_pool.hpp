@@ -7,6 +7,10 @@
 
 namespace autostereo::devices {
 
+/// Slots that a source needs so that a slow consumer never starves it: the queue, the pairing and
+/// the consumer at their fullest, and a few for the source itself. Only slots in use cost memory.
+inline constexpr std::size_t kFramesOnTheWay = 16;
+
 /// Preallocated slots that Frames lease. `acquire` is called by the one thread that fills frames;
 /// frames may be destroyed on any thread (lock-free), also after the pool: a sensor that is
 /// reopened closes its old source while frames of it are still on their way. A slot grows when a
