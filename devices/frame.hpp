@@ -29,7 +29,8 @@ struct FrameMetadata {
 };
 
 /// One picture from one sensor, holding a lease on a slot of its source's FramePool.
-/// Movable, not copyable; destruction gives the slot back. The pool must outlive it. Reentrant.
+/// Movable, not copyable; destruction gives the slot back, on any thread. It may outlive its source
+/// and the pool. Reentrant.
 class Frame {
   public:
     /// Where a lease returns to; implemented by FramePool.

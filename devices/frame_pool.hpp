@@ -2,18 +2,21 @@
 
 #include "devices/frame.hpp"
 
-#include <atomic>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace autostereo::devices {
 
+/// Slots that a source needs so that a slow consumer never starves it: the queue, the pairing and
+/// the consumer at their fullest, and a few for the source itself. Only slots in use cost memory.
+inline constexpr std::size_t kFramesOnTheWay = 16;
+
 /// Preallocated slots that Frames lease. `acquire` is called by the one thread that fills frames;
-/// frames may be destroyed on any thread (lock-free). A slot grows when a bigger frame is asked
-/// for and keeps its size, so a steady stream allocates nothing. Empty pool: nothing, the caller
-/// drops its frame and counts it.
-class FramePool final : public Frame::Owner {
+/// frames may be destroyed on any thread (lock-free), also after the pool: a sensor that is
+/// reopened closes its old source while frames of it are still on their way. A slot grows when a
+/// bigger frame is asked for and keeps its size, so a steady stream allocates nothing. Empty pool:
+/// nothing, the caller drops its frame and counts it.
+class FramePool final {
   public:
     explicit FramePool(std::size_t slots);
     ~FramePool();
@@ -25,13 +28,8 @@ class FramePool final : public Frame::Owner {
     [[nodiscard]] std::size_t leased() const noexcept;
 
   private:
-    void release(std::size_t slot) noexcept override;
-
-    struct Slot {
-        std::atomic<bool> busy{false};
-        std::vector<std::max_align_t> storage;
-    };
-    std::vector<Slot> slots_;
+    class Slots; // lives until the pool and the last of its frames are gone
+    Slots* slots_;
 };
 
 } // namespace autostereo::devices
