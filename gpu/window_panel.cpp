@@ -24,7 +24,7 @@ std::string sizeText(int width, int height) {
 
 GLFWmonitor* chooseMonitor(int width, int height, bool force) {
     if (monitors().empty())
-        throw GlError("window: the display server has no monitor: is one connected?");
+        throw DisplayNotFound("window: the display server has no monitor: is one connected?");
     if (width == 0) return glfwGetPrimaryMonitor();
     std::string offered;
     for (GLFWmonitor* monitor : monitors()) {
@@ -34,7 +34,7 @@ GLFWmonitor* chooseMonitor(int width, int height, bool force) {
                    sizeText(mode->width, mode->height);
     }
     if (force) return glfwGetPrimaryMonitor();
-    throw GlError("window: no monitor is in the display's native mode " + sizeText(width, height) +
+    throw DisplayNotFound("window: no monitor is in the display's native mode " + sizeText(width, height) +
                   " (found: " + offered + "): set that mode, or --force to show it all the same");
 }
 
@@ -76,7 +76,7 @@ std::vector<MonitorInfo> listMonitors() {
 
 WindowPanel::WindowPanel(int width, int height, bool force, bool debugContext) {
     if (!glfw_.running())
-        throw GlError("window: cannot reach a display server: is DISPLAY or WAYLAND_DISPLAY set?");
+        throw DisplayNotFound("window: cannot reach a display server: is DISPLAY or WAYLAND_DISPLAY set?");
     GLFWmonitor* monitor = chooseMonitor(width, height, force);
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     setHints(*mode, debugContext);

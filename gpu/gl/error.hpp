@@ -10,4 +10,10 @@ class GlError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// No display server, or no monitor in the mode that was asked for.
+class DisplayNotFound : public GlError {
+  public:
+    using GlError::GlError;
+};
+
 } // namespace autostereo::gpu

@@ -25,7 +25,8 @@ void main() {
     // Outside the model's valid radius the picture has no meaning: cut there.
     gl_ClipDistance[0] = moved.z > range.x ? colorSize.z - dot(ray, ray) : -1.0;
     vec2 pixel = distortRay(ray, colorRadial, colorRational) * colorPinhole.xy + colorPinhole.zw;
-    vec2 position = 2.0 * textureFromPixel(pixel, colorSize.xy) - 1.0;
+    // Image rows run down, GL's up.
+    vec2 position = (2.0 * textureFromPixel(pixel, colorSize.xy) - 1.0) * vec2(1.0, -1.0);
     float key = range.y + range.z * (1.0 - range.x / z);
     gl_Position = vec4(position * z, key * z, z);
 }

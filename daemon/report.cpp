@@ -1,0 +1,92 @@
+#include "daemon/report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+
+namespace autostereo::daemon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json numberOrNull(std::optional<double> number) { return number ? Json(*number) : Json(nullptr); }
+
+Json streamJson(const devices::StreamCounters& stream) {
+    return {{"in", stream.in},
+            {"paired", stream.paired},
+            {"unpaired", stream.unpaired},
+            {"pending", stream.pending},
+            {"damaged", stream.damaged},
+            {"reconnects", stream.reconnects}};
+}
+
+Json percentilesJson(const Percentiles& samples, const char* p50, const char* p99) {
+    return {{p50, numberOrNull(samples.at(0.5))}, {p99, numberOrNull(samples.at(0.99))}};
+}
+
+Json toJson(const Report& report) {
+    Json stages = Json::object();
+    for (std::size_t i = 0; i < report.stageNames.size(); ++i)
+        stages[report.stageNames[i]] = percentilesJson(report.stageMs[i], "p50_ms", "p99_ms");
+    return {
+        {"input", report.input},
+        {"display", report.display},
+        {"renderer", report.renderer},
+        {"streams",
+         {{"depth", streamJson(report.feed.depth)}, {"color", streamJson(report.feed.color)}}},
+        {"frames_in", report.feed.pairs},
+        {"frames_presented", report.presented},
+        {"frames_skipped", report.skippedTotal()},
+        {"frames_dropped", report.feed.dropped},
+        {"skipped", report.skipped},
+        {"stages", stages},
+        {"latency_ms", percentilesJson(report.latencyMs, "p50", "p99")},
+        {"seconds", report.seconds},
+    };
+}
+
+} // namespace
+
+std::uint64_t Report::skippedTotal() const {
+    return std::accumulate(skipped.begin(), skipped.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, const auto& entry) { return sum + entry.second; });
+}
+
+std::string Report::summary() const {
+    char text[256];
+    const double rate = seconds > 0 ? static_cast<double>(presented) / seconds : 0;
+    std::snprintf(
+        text, sizeof text, "%llu frames in, %llu presented (%.1f/s), %llu skipped, %llu dropped",
+        static_cast<unsigned long long>(feed.pairs), static_cast<unsigned long long>(presented),
+        rate, static_cast<unsigned long long>(skippedTotal()),
+        static_cast<unsigned long long>(feed.dropped));
+    std::string line = text;
+    for (std::size_t i = 0; i < stageNames.size(); ++i) {
+        std::snprintf(text, sizeof text, "%s %s %.1f ms", i == 0 ? ";" : ",", stageNames[i].c_str(),
+                      stageMs[i].at(0.5).value_or(0));
+        line += text;
+    }
+    if (const auto latency = latencyMs.at(0.5)) {
+        std::snprintf(text, sizeof text, "; latency %.1f ms", *latency);
+        line += text;
+    }
+    return line;
+}
+
+void writeReport(const Report& report, const std::filesystem::path& file) {
+    const std::filesystem::path partial = file.string() + ".part";
+    std::ofstream out(partial);
+    out << toJson(report).dump(2) << '\n';
+    out.close();
+    if (!out || std::rename(partial.c_str(), file.c_str()) != 0)
+        throw std::runtime_error("report: cannot write " + file.string() + ": " +
+                                 std::strerror(errno));
+}
+
+} // namespace autostereo::daemon

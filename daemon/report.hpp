@@ -1,0 +1,36 @@
+#pragma once
+
+#include "daemon/percentiles.hpp"
+#include "devices/feed.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace autostereo::daemon {
+
+/// The accounts of a run. frames_in = presented + skipped + dropped holds between frames.
+struct Report {
+    std::string input;
+    std::string display;
+    std::string renderer;
+    devices::FeedCounters feed;
+    std::uint64_t presented = 0;
+    std::map<std::string, std::uint64_t> skipped; ///< why -> pairs that needed no drawing
+    std::vector<std::string> stageNames;
+    std::vector<Percentiles> stageMs;
+    Percentiles latencyMs; ///< mid-exposure to present; empty at --speed max
+    double seconds = 0;
+
+    [[nodiscard]] std::uint64_t skippedTotal() const;
+    /// One line for people.
+    [[nodiscard]] std::string summary() const;
+};
+
+/// JSON, written beside the file and moved over it, so that a reader never sees half. Throws
+/// std::runtime_error.
+void writeReport(const Report& report, const std::filesystem::path& file);
+
+} // namespace autostereo::daemon

@@ -1,0 +1,82 @@
+#include "gpu/exports.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace autostereo::gpu {
+
+namespace {
+
+/// A picture of its own to draw mesh layers into.
+struct Target {
+    Target(GLenum format, int width, int height)
+        : color(format, width, height), depth(GL_DEPTH_COMPONENT32F, width, height),
+          framebuffer(gl::makeFramebuffer(color, &depth)) {}
+
+    void clear(const PipelineParams& params) const {
+        clearTarget(framebuffer.name(), params);
+        glViewport(0, 0, color.width(), color.height());
+    }
+    gl::Texture color, depth;
+    gl::Framebuffer framebuffer;
+};
+
+RgbImage renderColor(const Pipeline& pipeline, const PipelineParams& params,
+                     const gl::Program& program, const EyeBlock& eye, const Target& target) {
+    LayerDrawer drawer(params.mesh);
+    gl::UniformBuffer<MeshBlock> mesh;
+    gl::UniformBuffer<EyeBlock> uniforms;
+    mesh.bind(0, pipeline.mesh().block());
+    uniforms.bind(3, eye);
+    target.clear(params);
+    program.use();
+    drawer.draw(pipeline.mesh(), pipeline.color(), {1, 1, 0, 0}, 1);
+    return readFramebuffer(target.framebuffer.name(), target.color.width(), target.color.height());
+}
+
+} // namespace
+
+RgbImage renderEye(const Pipeline& pipeline, const PipelineParams& params,
+                   const calib::DisplayProfile& display, glm::dvec3 eye, int width, int height) {
+    const gl::Program program({"mesh_eye.vert", "mesh_view.frag"});
+    const EyeBlock block{glm::dvec4(eye, display.viewingDistanceM) / display.widthM,
+                         glm::dvec4(pipeline.geometry().law.fanHalfWidth,
+                                    static_cast<double>(height) / width, 0, 0)};
+    return renderColor(pipeline, params, program, block, Target(GL_RGBA8, width, height));
+}
+
+RgbImage renderMovedCamera(const Pipeline& pipeline, const PipelineParams& params,
+                           const calib::SensorRig& rig, glm::dvec3 offset) {
+    const gl::Program program({"mesh_camera.vert", "mesh_view.frag"});
+    glEnable(GL_CLIP_DISTANCE0);
+    RgbImage image =
+        renderColor(pipeline, params, program, {glm::dvec4(offset, 0), {}},
+                    Target(GL_RGBA8, rig.color.intrinsics.width, rig.color.intrinsics.height));
+    glDisable(GL_CLIP_DISTANCE0);
+    return image;
+}
+
+DepthImage renderRegisteredDepth(const Pipeline& pipeline, const PipelineParams& params,
+                                 const calib::SensorRig& rig) {
+    const gl::Program program({"mesh_register.vert", "mesh_register.frag"});
+    const int width = rig.color.intrinsics.width, height = rig.color.intrinsics.height;
+    const Target target(GL_R32F, width, height);
+    PipelineParams black = params;
+    black.clearColor = {0, 0, 0};
+    target.clear(black);
+    program.use();
+    LayerDrawer(params.mesh).drawScene(pipeline.mesh());
+
+    std::vector<float> metres(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    glGetTextureImage(target.color.name(), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(metres.size() * sizeof(float)), metres.data());
+    DepthImage image{width, height, {}};
+    image.millimetres.reserve(metres.size());
+    for (const float value : metres) {
+        const long rounded = std::lround(std::clamp(value, 0.0F, 65.534F) * 1000);
+        image.millimetres.push_back(static_cast<std::uint16_t>(rounded));
+    }
+    return image;
+}
+
+} // namespace autostereo::gpu

@@ -1,0 +1,42 @@
+#include "gpu/pipeline.hpp"
+
+namespace autostereo::gpu {
+
+Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
+                   const calib::DisplayProfile& display, int panelWidth, int panelHeight)
+    : params_(params), rig_(rig), display_(display),
+      panelAspect_(static_cast<double>(panelWidth) / panelHeight), mesh_(params.mesh, rig),
+      atlas_(atlasLayout(display, panelWidth, panelHeight)),
+      views_(makeViewSynthesis(params.synthesis.method, display, params)),
+      interleaver_(calib::makeViewMap(display, panelWidth, panelHeight), params.synthesis.filter) {}
+
+template<class Pass>
+void Pipeline::timed(std::size_t stage, Pass pass) {
+    timers_[stage].begin();
+    pass();
+    const auto milliseconds = timers_[stage].end();
+    if (milliseconds && stageTime_) stageTime_(stage, *milliseconds);
+}
+
+void Pipeline::renderAtlas(const devices::RgbdFrame& frame) {
+    if (!placed_) placeScene(frame.depth);
+    timed(0, [&] { uploader_.upload(frame); });
+    timed(1, [&] { mesh_.build(uploader_.depth(), frame.depth.metadata().depthUnitM, geometry_); });
+    timed(2, [&] { views_->render(mesh_, uploader_.color(), atlas_); });
+}
+
+void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
+    renderAtlas(frame);
+    timed(3, [&] { interleaver_.render(atlas_, panel); });
+}
+
+void Pipeline::placeScene(const devices::Frame& depth) {
+    constexpr double kFocusWithoutDepthM = 1;
+    const auto focus =
+        params_.budget.focusM ? params_.budget.focusM : medianDepth(depth, rig_, params_.mesh);
+    placed_ = focus.has_value();
+    geometry_ = sceneGeometry(rig_, display_, params_.budget, panelAspect_,
+                              focus.value_or(kFocusWithoutDepthM));
+}
+
+} // namespace autostereo::gpu
