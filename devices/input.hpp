@@ -30,7 +30,7 @@ struct Input {
     std::unique_ptr<Source> depth;
     std::unique_ptr<Source> color;
     /// The input's own calibration, if it has one; a missing camera of a single-stream input is
-    /// filled in by `completeRig`.
+    /// filled in by `completeStreams`.
     std::optional<calib::SensorRig> rig;
     Duration startsAt{0};      ///< media time of the first frame of either stream
     Duration nominalPeriod{0}; ///< between frames, 0: unknown

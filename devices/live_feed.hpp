@@ -1,0 +1,47 @@
+#pragma once
+
+#include "devices/doorbell.hpp"
+#include "devices/feed.hpp"
+#include "devices/frame_queue.hpp"
+#include "devices/frame_sync.hpp"
+#include "devices/input.hpp"
+#include "devices/source_thread.hpp"
+
+namespace autostereo::devices {
+
+/// How to open the two sensors again; empty: a lost one is an end.
+struct Reopeners {
+    SourceThread::Reopen depth;
+    SourceThread::Reopen color;
+};
+
+/// The live feed: one thread per source, a queue behind each, and the pairing on the consumer's
+/// thread. Never lags: of several pairs that are ready `next` gives the newest and counts the
+/// others as dropped. Takes both sources of a complete input; recordings are to be `paced`. Frames
+/// that a queue dropped or for which a source had no room count as unpaired. Thread-bound.
+class LiveFeed final : public Feed {
+  public:
+    LiveFeed(Input input, Clock& clock, SyncParams sync, ReconnectParams reconnect,
+             Reopeners reopeners = {});
+
+    [[nodiscard]] std::optional<RgbdFrame> next(std::chrono::milliseconds wait) noexcept override;
+    [[nodiscard]] bool ended() const noexcept override { return ended_; }
+    [[nodiscard]] FeedCounters counters() const noexcept override;
+
+  private:
+    [[nodiscard]] std::optional<RgbdFrame> newestPair(bool last);
+    void settle(std::optional<RgbdFrame>& newest);
+
+    Clock& clock_;
+    FrameSync sync_;
+    FrameQueue<Frame> depthQueue_;
+    FrameQueue<Frame> colorQueue_;
+    Doorbell bell_;
+    std::uint64_t dropped_ = 0;
+    bool ended_ = false;
+    // Last, so that the threads end before what they use.
+    SourceThread depth_;
+    SourceThread color_;
+};
+
+} // namespace autostereo::devices
