@@ -1,0 +1,110 @@
+#include "config/load.hpp"
+#include "config/text_file.hpp"
+#include "config/toml_reader.hpp"
+#include "config/units.hpp"
+
+#include <string>
+
+namespace autostereo::config {
+
+namespace {
+
+devices::Duration milliseconds(TomlReader& table, std::string_view key, Range range,
+                               devices::Duration fallback) {
+    const std::chrono::duration<double, std::milli> otherwise = fallback;
+    return units::durationFromMs(table.number(key, range, otherwise.count()));
+}
+
+void readTiming(TomlReader& root, Config& config) {
+    auto sync = root.table("sync");
+    config.sync.tolerance = milliseconds(sync, "tolerance_ms", {0, 1000}, config.sync.tolerance);
+
+    auto reconnect = root.table("reconnect");
+    auto& delays = config.reconnect;
+    delays.firstDelay = milliseconds(reconnect, "first_delay_ms", {1, 60000}, delays.firstDelay);
+    delays.longestDelay =
+        milliseconds(reconnect, "longest_delay_ms", {1, 600000}, delays.longestDelay);
+    if (delays.longestDelay < delays.firstDelay)
+        reconnect.reject("longest_delay_ms",
+                         "is less than first_delay_ms (allowed first_delay_ms to 600000)");
+}
+
+void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
+    auto mesh = root.table("mesh");
+    params.mesh.nearestM = mesh.number("nearest_m", {0.01, 10}, params.mesh.nearestM);
+    params.mesh.farthestM = mesh.number("farthest_m", {0.1, 100}, params.mesh.farthestM);
+    if (params.mesh.farthestM <= params.mesh.nearestM)
+        mesh.reject("farthest_m", "is not farther than nearest_m (allowed nearest_m to 100)");
+    params.mesh.cutRatio = mesh.number("cut_ratio", {0.005, 0.5}, params.mesh.cutRatio);
+
+    auto depth = root.table("depth");
+    params.budget.focusM = depth.numberOrAuto("focus_m", {0.05, 100}, params.budget.focusM);
+    params.budget.depthScale = depth.number("scale", {0, 10}, params.budget.depthScale);
+
+    auto synthesis = root.table("synthesis");
+    params.synthesis.method = synthesis.choice<gpu::Method>(
+        "method", {{"instanced", gpu::Method::Instanced}, {"multipass", gpu::Method::Multipass}},
+        params.synthesis.method);
+    params.synthesis.filter = synthesis.choice<gpu::TileFilter>(
+        "filter", {{"nearest", gpu::TileFilter::Nearest}, {"linear", gpu::TileFilter::Linear}},
+        params.synthesis.filter);
+
+    auto picture = root.table("picture");
+    params.clearColor = picture.numbers<3>("clear_color", {0, 1}, params.clearColor);
+}
+
+/// Every key a configuration may have; those not in the file keep their value.
+void readConfig(TomlReader& root, Config& config) {
+    auto input = root.table("input");
+    config.input = input.text("uri", config.input);
+    config.rig = input.textOrAuto("rig", config.rig);
+
+    auto display = root.table("display");
+    config.display = display.textOrAuto("profile", config.display).value_or("");
+
+    auto output = root.table("output");
+    config.output = output.choice<std::optional<Output>>(
+        "kind",
+        {{"auto", std::nullopt}, {"window", Output::Window}, {"offscreen", Output::Offscreen}},
+        config.output);
+
+    readTiming(root, config);
+    readPipeline(root, config.pipeline);
+
+    auto log = root.table("log");
+    config.log.level = log.choice<std::string>("level",
+                                               {{"error", "error"},
+                                                {"warn", "warn"},
+                                                {"info", "info"},
+                                                {"debug", "debug"},
+                                                {"trace", "trace"}},
+                                               config.log.level);
+    root.finish();
+}
+
+} // namespace
+
+Config defaultConfig() {
+    constexpr std::string_view kName = "default.toml";
+    TomlReader root(std::string(kName), embeddedText(kName), TomlReader::Fallbacks::Refused);
+    Config config;
+    readConfig(root, config);
+    return config;
+}
+
+Config loadConfig(const std::filesystem::path& file) {
+    TomlReader root(file.string(), readTextFile(file));
+    Config config = defaultConfig();
+    readConfig(root, config);
+    return config;
+}
+
+FileKind kindOf(const std::filesystem::path& file) {
+    if (file.extension() == ".json") return FileKind::Rig;
+    const TomlReader root(file.string(), readTextFile(file));
+    if (root.has("type") || root.has("panel")) return FileKind::Display;
+    if (root.has("color_from_depth") || root.has("color")) return FileKind::Rig;
+    return FileKind::Config;
+}
+
+} // namespace autostereo::config

@@ -1,0 +1,164 @@
+#include "config/load.hpp"
+#include "tests/unit/config/temp_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+using namespace std::chrono_literals;
+
+namespace autostereo::config {
+namespace {
+
+class LoadConfig : public test::TempFolder {};
+
+void expectSame(const Config& a, const Config& b) {
+    EXPECT_EQ(a.input, b.input);
+    EXPECT_EQ(a.display, b.display);
+    EXPECT_EQ(a.rig, b.rig);
+    EXPECT_EQ(a.output, b.output);
+    EXPECT_EQ(a.sync.tolerance, b.sync.tolerance);
+    EXPECT_EQ(a.reconnect.firstDelay, b.reconnect.firstDelay);
+    EXPECT_EQ(a.reconnect.longestDelay, b.reconnect.longestDelay);
+    EXPECT_EQ(a.pipeline.mesh.nearestM, b.pipeline.mesh.nearestM);
+    EXPECT_EQ(a.pipeline.mesh.farthestM, b.pipeline.mesh.farthestM);
+    EXPECT_EQ(a.pipeline.mesh.cutRatio, b.pipeline.mesh.cutRatio);
+    EXPECT_EQ(a.pipeline.budget.focusM, b.pipeline.budget.focusM);
+    EXPECT_EQ(a.pipeline.budget.depthScale, b.pipeline.budget.depthScale);
+    EXPECT_EQ(a.pipeline.synthesis.method, b.pipeline.synthesis.method);
+    EXPECT_EQ(a.pipeline.synthesis.filter, b.pipeline.synthesis.filter);
+    EXPECT_EQ(a.pipeline.clearColor, b.pipeline.clearColor);
+    EXPECT_EQ(a.log.level, b.log.level);
+}
+
+// The shipped file must give every key (its loader refuses fallbacks) and say what the code says.
+TEST_F(LoadConfig, defaultFileGivesTheDefaultsOfTheStructs) {
+    expectSame(defaultConfig(), Config{});
+}
+
+TEST_F(LoadConfig, emptyFileChangesNothing) {
+    write("empty.toml", "");
+    expectSame(loadConfig("empty.toml"), defaultConfig());
+}
+
+TEST_F(LoadConfig, everyKeyArrives) {
+    write("all.toml", R"([input]
+uri = "kitchen.mkv"
+rig = "site.toml"
+[display]
+profile = "barrier-5view"
+[output]
+kind = "offscreen"
+[sync]
+tolerance_ms = 7.5
+[reconnect]
+first_delay_ms = 50
+longest_delay_ms = 60
+[mesh]
+nearest_m = 0.3
+farthest_m = 4
+cut_ratio = 0.1
+[depth]
+focus_m = 1.25
+scale = 0.5
+[synthesis]
+method = "multipass"
+filter = "nearest"
+[picture]
+clear_color = [0.1, 0, 1]
+[log]
+level = "trace"
+)");
+    Config expected;
+    expected.input = "kitchen.mkv";
+    expected.rig = "site.toml";
+    expected.display = "barrier-5view";
+    expected.output = Output::Offscreen;
+    expected.sync.tolerance = 7500us;
+    expected.reconnect = {50ms, 60ms};
+    expected.pipeline.mesh = {0.3, 4, 0.1};
+    expected.pipeline.budget = {1.25, 0.5};
+    expected.pipeline.synthesis = {gpu::Method::Multipass, gpu::TileFilter::Nearest};
+    expected.pipeline.clearColor = {0.1, 0, 1};
+    expected.log.level = "trace";
+    expectSame(loadConfig("all.toml"), expected);
+}
+
+struct Malformed {
+    const char* text;
+    const char* message;
+};
+
+constexpr Malformed kMalformed[] = {
+    {"[mesh]\ncut_ratio = 1.5\n",
+     "x.toml:2:13: mesh.cut_ratio: 1.5 is out of range (allowed 0.005 to 0.5)"},
+    {"[mesh]\ncut_ratoi = 0.1\n",
+     "x.toml:2:1: mesh.cut_ratoi: unknown key (did you mean cut_ratio?)"},
+    {"\n[meshes]\ncut_ratio = 0.1\n", "x.toml:2:2: meshes: unknown key (did you mean mesh?)"},
+    {"[log]\nlevel = 'info'\ncolour_scheme = 3\n", "x.toml:3:1: log.colour_scheme: unknown key"},
+    {"[mesh]\n\"cut_ratio\\n\" = 1\n",
+     "x.toml:2:1: mesh.cut_ratio?: unknown key (did you mean cut_ratio?)"},
+    {"\"mesh.cut_ratio\" = 0.1\n", "x.toml:1:1: mesh.cut_ratio: unknown key"},
+    {"mesh = 3\n", "x.toml:1:8: mesh: is an integer, wanted a table"},
+    {"[[mesh]]\ncut_ratio = 0.1\n", "x.toml:1:1: mesh: is an array, wanted a table"},
+    {"[mesh]\ncut_ratio = '5%'\n", "x.toml:2:13: mesh.cut_ratio: is a string, wanted "
+                                   "a number (allowed 0.005 to 0.5)"},
+    {"[mesh]\nnearest_m = nan\n",
+     "x.toml:2:13: mesh.nearest_m: nan is no finite number (allowed 0.01 to 10)"},
+    {"[mesh]\nfarthest_m = inf\n",
+     "x.toml:2:14: mesh.farthest_m: inf is no finite number (allowed 0.1 to 100)"},
+    {"[mesh]\nnearest_m = 5\nfarthest_m = 5\n",
+     "x.toml:3:14: mesh.farthest_m: is not farther than nearest_m (allowed nearest_m "
+     "to 100)"},
+    {"[reconnect]\nfirst_delay_ms = 9000\n",
+     "x.toml:1:1: reconnect.longest_delay_ms: is less than first_delay_ms (allowed "
+     "first_delay_ms to 600000)"},
+    {"[sync]\ntolerance_ms = -1\n",
+     "x.toml:2:16: sync.tolerance_ms: -1 is out of range (allowed 0 to 1000)"},
+    {"[depth]\nfocus_m = 'near'\n", "x.toml:2:11: depth.focus_m: is a string, wanted "
+                                    "\"auto\" or a number (allowed 0.05 to 100)"},
+    {"[depth]\nscale = 1979-05-27\n",
+     "x.toml:2:9: depth.scale: is a date, wanted a number (allowed 0 to 10)"},
+    {"[synthesis]\nmethod = 'instanced '\n",
+     "x.toml:2:10: synthesis.method: \"instanced \" is unknown (allowed instanced, "
+     "multipass)"},
+    {"[output]\nkind = true\n", "x.toml:2:8: output.kind: is a boolean, wanted a word "
+                                "(allowed auto, window, offscreen)"},
+    {"[input]\nuri = 7\n", "x.toml:2:7: input.uri: is an integer, wanted a string"},
+    {"[picture]\nclear_color = [0, 0]\n",
+     "x.toml:2:15: picture.clear_color: has 2 elements, wanted an array of 3 numbers "
+     "(allowed 0 to 1)"},
+    {"[picture]\nclear_color = [0, 0, 255]\n",
+     "x.toml:2:22: picture.clear_color: 255 is out of range (allowed 0 to 1)"},
+    {"[picture]\nclear_color = 'black'\n",
+     "x.toml:2:15: picture.clear_color: is a string, wanted an array of 3 numbers "
+     "(allowed 0 to 1)"},
+    // Of several problems the first in the file.
+    {"[sync]\ntolerance_ms = 5000\n[mesh]\ncut_ratio = 1\n",
+     "x.toml:2:16: sync.tolerance_ms: 5000 is out of range (allowed 0 to 1000)"},
+    {"[log]\nlevel = \"info\n",
+     "x.toml:2:14: syntax: Error while parsing string: unescaped control characters other than TAB "
+     "(U+0009) are explicitly prohibited"}};
+
+TEST_F(LoadConfig, malformedSaysWhatAndWhere) {
+    for (const Malformed& bad : kMalformed) {
+        write("x.toml", bad.text);
+        EXPECT_EQ(test::messageOf<ConfigError>([] { (void)loadConfig("x.toml"); }), bad.message);
+    }
+}
+
+TEST_F(LoadConfig, kindOfGoesByContent) {
+    const std::string source = AUTOSTEREO_SOURCE_DIR "/config/";
+    EXPECT_EQ(kindOf(source + "default.toml"), FileKind::Config);
+    EXPECT_EQ(kindOf(source + "rigs/example.toml"), FileKind::Rig);
+    for (const std::string& name : displayNames())
+        EXPECT_EQ(kindOf(source + "displays/" + name + ".toml"), FileKind::Display) << name;
+    EXPECT_EQ(kindOf("camera.json"), FileKind::Rig);
+    write("empty.toml", "");
+    EXPECT_EQ(kindOf("empty.toml"), FileKind::Config);
+    write("broken.toml", "type =");
+    EXPECT_THROW((void)kindOf("broken.toml"), ConfigError);
+}
+
+} // namespace
+} // namespace autostereo::config
