@@ -41,7 +41,7 @@ float sampleTile(int view, ivec2 pixel, int channel) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy); // y up
-    uint row = texelFetch(rowPhases, ivec2(0, panel.y - 1 - pixel.y), 0).x;
+    uint row = texelFetch(rowPhases, ivec2(panel.y - 1 - pixel.y, 0), 0).x;
     uvec3 phases = texelFetch(columnPhases, ivec2(pixel.x, 0), 0).xyz + row;
     color = vec4(sampleTile(viewOf(phases.x), pixel, 0), sampleTile(viewOf(phases.y), pixel, 1),
                  sampleTile(viewOf(phases.z), pixel, 2), 1.0);

@@ -1,0 +1,90 @@
+#include "daemon/commands.hpp"
+#include "daemon/log.hpp"
+#include "daemon/picture_files.hpp"
+#include "daemon/wiring.hpp"
+#include "devices/replay_feed.hpp"
+#include "gpu/exports.hpp"
+#include "gpu/offscreen_panel.hpp"
+
+#include <cstdio>
+
+namespace autostereo::daemon {
+
+namespace {
+
+/// Pair number `wanted` of an input. Throws DeviceError where it has fewer.
+devices::RgbdFrame frameAt(devices::Feed& feed, std::uint64_t wanted, const std::string& input) {
+    std::uint64_t seen = 0;
+    while (!feed.ended()) {
+        auto frame = feed.next(std::chrono::milliseconds(0));
+        if (frame && seen++ == wanted) return std::move(*frame);
+    }
+    throw devices::DeviceError(
+        "render: cannot show frame " + std::to_string(wanted) + " of " + input + ": it has " +
+        std::to_string(seen) + " (from 0; " +
+        std::to_string(feed.counters().depth.damaged + feed.counters().color.damaged) +
+        " frames damaged)");
+}
+
+void writeViews(const gpu::Atlas& atlas, const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    const gpu::AtlasLayout& layout = atlas.layout();
+    const gpu::RgbImage all =
+        gpu::readFramebuffer(atlas.framebuffer(), layout.width(), layout.height());
+    for (int view = 0; view < layout.views; ++view) {
+        char name[32];
+        std::snprintf(name, sizeof name, "view_%02d.png", view);
+        const int top = layout.height() - layout.bottom(view) - layout.quilt.tileHeight;
+        writePicturePng(folder / name, gpu::crop(all, layout.left(view), top,
+                                                 layout.quilt.tileWidth, layout.quilt.tileHeight));
+    }
+}
+
+} // namespace
+
+int render(const RenderOptions& options) {
+    config::Config config = configuration(options.scene);
+    setUpLog(config.log.level);
+    if (options.method) config.pipeline.synthesis.method = *options.method;
+    const calib::DisplayProfile display = chooseDisplay(config);
+    devices::Input input = openScene(config);
+    const calib::SensorRig rig = *input.rig;
+    devices::ReplayFeed feed(std::move(input), config.sync, false);
+    const devices::RgbdFrame frame = frameAt(feed, options.frame, config.input);
+
+    // The camera's own picture is no picture for a display: its disparity needs no budget.
+    const PanelSize size = offscreenSize(display);
+    gpu::OffscreenPanel panel(size.width, size.height, false);
+    gpu::Pipeline pipeline(config.pipeline, rig, display, size.width, size.height);
+    pipeline.render(frame, panel.framebuffer());
+
+    const gpu::AtlasLayout& layout = pipeline.atlas().layout();
+    switch (options.as.value_or(Picture::Panel)) {
+    case Picture::Panel:
+        writePicturePng(options.output,
+                        gpu::readFramebuffer(panel.framebuffer(), size.width, size.height));
+        break;
+    case Picture::Quilt:
+        writePicturePng(options.output, gpu::readFramebuffer(pipeline.atlas().framebuffer(),
+                                                             layout.width(), layout.height()));
+        break;
+    case Picture::Views:
+        writeViews(pipeline.atlas(), options.output);
+        break;
+    case Picture::View:
+        writePicturePng(
+            options.output,
+            options.cameraOffset
+                ? gpu::renderMovedCamera(pipeline, config.pipeline, rig, *options.cameraOffset)
+                : gpu::renderEye(pipeline, config.pipeline, display,
+                                 options.eye.value_or(glm::dvec3{0, 0, display.viewingDistanceM}),
+                                 size.width, size.height));
+        break;
+    case Picture::Depth:
+        writeDepthPng(options.output, gpu::renderRegisteredDepth(pipeline, config.pipeline, rig));
+        break;
+    }
+    return EXIT_SUCCESS;
+}
+
+} // namespace autostereo::daemon

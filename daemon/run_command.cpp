@@ -1,0 +1,140 @@
+#include "daemon/commands.hpp"
+#include "daemon/log.hpp"
+#include "daemon/picture_files.hpp"
+#include "daemon/report.hpp"
+#include "daemon/stop_signal.hpp"
+#include "daemon/watchdog.hpp"
+#include "daemon/wiring.hpp"
+#include "gpu/pipeline.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <cstring>
+
+namespace autostereo::daemon {
+
+namespace {
+
+constexpr std::uint64_t kOffscreenFrames = 120; // without --frames
+constexpr const char* kOffscreenPicture = "autostereo-panel.png";
+constexpr std::chrono::seconds kLogInterval{10};
+constexpr std::chrono::milliseconds kFrameWait{16};
+
+bool sameBytes(const devices::Frame& a, const devices::Frame& b) {
+    const auto x = a.pixels(), y = b.pixels();
+    return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size()) == 0;
+}
+
+/// One run: frames from the feed through the pipeline to the panel, and the accounts of it.
+class Session {
+  public:
+    Session(const RunOptions& options, const config::Config& config)
+        : output_(options.output.value_or(chooseOutput(config))),
+          realtime_(options.speed.value_or(config::Speed::Realtime) == config::Speed::Realtime),
+          display_(chooseDisplay(config)), input_(openScene(config)), rig_(*input_.rig),
+          panel_(openPanel(display_, output_, options.force)),
+          pipeline_(config.pipeline, rig_, display_, panel_->width(), panel_->height()) {
+        report_.input = config.input;
+        report_.display = display_.name;
+        report_.renderer = gpu::rendererName();
+        report_.stageNames.assign(gpu::Pipeline::kStages.begin(), gpu::Pipeline::kStages.end());
+        report_.stageMs.resize(report_.stageNames.size());
+        pipeline_.onStageTime(
+            [this](std::size_t stage, double ms) { report_.stageMs[stage].add(ms); });
+        spdlog::info("display: {} ({} views), {}x{} {}", display_.model, display_.views,
+                     panel_->width(), panel_->height(), panel_->description());
+        spdlog::info("renderer: {}", report_.renderer);
+        const bool loop = output_ == config::Output::Window; // a kiosk goes on
+        feed_ = openFeed(std::move(input_), config,
+                         realtime_ ? config::Speed::Realtime : config::Speed::Max, loop, clock_);
+        if (output_ == config::Output::Offscreen) framesWanted_ = kOffscreenFrames;
+        if (options.frames) framesWanted_ = *options.frames;
+    }
+
+    void loop() {
+        const StopSignal stop;
+        Watchdog watchdog;
+        started_ = clock_.now();
+        auto logAt = started_ + kLogInterval;
+        watchdog.ready();
+        while (!stop.requested() && !panel_->closed() && !finished()) {
+            if (auto frame = feed_->next(kFrameWait)) show(std::move(*frame));
+            panel_->pollEvents();
+            watchdog.pet();
+            if (clock_.now() < logAt) continue;
+            logAt += kLogInterval;
+            spdlog::info("{}", accounts().summary());
+        }
+        watchdog.stopping();
+    }
+
+    [[nodiscard]] const Report& accounts() {
+        report_.feed = feed_->counters();
+        report_.seconds = std::chrono::duration<double>(clock_.now() - started_).count();
+        return report_;
+    }
+
+    void writePicture(const std::filesystem::path& file) {
+        writePicturePng(
+            file, gpu::readFramebuffer(panel_->framebuffer(), panel_->width(), panel_->height()));
+    }
+    [[nodiscard]] bool offscreen() const { return output_ == config::Output::Offscreen; }
+
+  private:
+    [[nodiscard]] bool finished() const {
+        return feed_->ended() ||
+               (framesWanted_ && report_.presented + report_.skippedTotal() >= *framesWanted_);
+    }
+
+    void show(devices::RgbdFrame frame) {
+        if (!shown_.depth.empty() && sameBytes(frame.depth, shown_.depth) &&
+            sameBytes(frame.color, shown_.color)) {
+            ++report_.skipped["unchanged"];
+            return;
+        }
+        pipeline_.render(frame, panel_->framebuffer());
+        panel_->present();
+        ++report_.presented;
+        if (realtime_)
+            report_.latencyMs.add(std::chrono::duration<double, std::milli>(
+                                      clock_.now() - frame.depth.metadata().capturedAt)
+                                      .count());
+        shown_ = std::move(frame);
+    }
+
+    config::Output output_;
+    bool realtime_;
+    calib::DisplayProfile display_;
+    devices::Input input_;
+    calib::SensorRig rig_;
+    std::unique_ptr<gpu::Panel> panel_;
+    gpu::Pipeline pipeline_;
+    devices::SteadyClock clock_;
+    std::unique_ptr<devices::Feed> feed_;
+    devices::RgbdFrame shown_; ///< to tell a picture that did not change
+    std::optional<std::uint64_t> framesWanted_;
+    devices::TimePoint started_{};
+    Report report_;
+};
+
+} // namespace
+
+int run(const RunOptions& options) {
+    const config::Config config = configuration(options.scene);
+    setUpLog(config.log.level);
+    Session session(options, config);
+    session.loop();
+
+    const Report& report = session.accounts();
+    spdlog::info("{}", report.summary());
+    std::optional<std::filesystem::path> picture = options.snapshot;
+    if (!picture && session.offscreen() && !options.frames) picture = kOffscreenPicture;
+    if (picture) {
+        session.writePicture(*picture);
+        spdlog::info("panel: {}", std::filesystem::absolute(*picture).string());
+    }
+    if (options.report) writeReport(report, *options.report);
+    return EXIT_SUCCESS;
+}
+
+} // namespace autostereo::daemon

@@ -1,0 +1,99 @@
+#include "daemon/wiring.hpp"
+
+#include "devices/live_feed.hpp"
+#include "devices/paced_source.hpp"
+#include "devices/replay_feed.hpp"
+#include "devices/single_stream.hpp"
+#include "gpu/offscreen_panel.hpp"
+#include "gpu/window_panel.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <cstdlib>
+
+namespace autostereo::daemon {
+
+namespace {
+
+constexpr const char* kSystemConfig = "/etc/autostereo/autostereo.toml";
+
+#ifdef NDEBUG
+constexpr bool kDebugContext = false;
+#else
+constexpr bool kDebugContext = true;
+#endif
+
+bool isSet(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != '\0';
+}
+
+config::Config configurationFile(const SceneOptions& options) {
+    if (options.config) return config::loadConfig(*options.config);
+    if (std::filesystem::exists(kSystemConfig)) return config::loadConfig(kSystemConfig);
+    return config::defaultConfig();
+}
+
+} // namespace
+
+config::Config configuration(const SceneOptions& options) {
+    config::Config config = configurationFile(options);
+    if (options.input) config.input = *options.input;
+    if (options.display) config.display = *options.display;
+    if (options.rig) config.rig = options.rig->string();
+    return config;
+}
+
+calib::DisplayProfile chooseDisplay(const config::Config& config) {
+    calib::DisplayProfile display =
+        config::loadDisplay(config.display.empty() ? "preview" : config.display);
+    if (display.placeholder)
+        spdlog::warn("display {}: its numbers are a placeholder; use this unit's own calibration",
+                     display.name);
+    return display;
+}
+
+devices::Input openScene(const config::Config& config) {
+    std::optional<calib::SensorRig> rig;
+    if (config.rig) rig = config::loadRig(*config.rig);
+    devices::Input input = devices::openInput(config.input, rig);
+    if (!input.rig) {
+        input.rig = config::exampleRig();
+        input.warnings.push_back("no calibration comes with " + config.input +
+                                 ": nominal cameras are assumed; give --rig");
+    }
+    for (const std::string& warning : input.warnings)
+        spdlog::warn("{}", warning);
+    spdlog::info("input: {}", input.description);
+    return devices::completeStreams(std::move(input));
+}
+
+std::unique_ptr<devices::Feed> openFeed(devices::Input input, const config::Config& config,
+                                        config::Speed speed, bool loop, devices::Clock& clock) {
+    if (speed == config::Speed::Max)
+        return std::make_unique<devices::ReplayFeed>(std::move(input), config.sync, loop);
+    return std::make_unique<devices::LiveFeed>(devices::paced(std::move(input), clock, loop), clock,
+                                               config.sync, config.reconnect);
+}
+
+config::Output chooseOutput(const config::Config& config) {
+    if (config.output) return *config.output;
+    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") ? config::Output::Window
+                                                        : config::Output::Offscreen;
+}
+
+std::unique_ptr<gpu::Panel> openPanel(const calib::DisplayProfile& display, config::Output output,
+                                      bool force) {
+    if (output == config::Output::Window)
+        return std::make_unique<gpu::WindowPanel>(display.width, display.height, force,
+                                                  kDebugContext);
+    const PanelSize size = offscreenSize(display);
+    return std::make_unique<gpu::OffscreenPanel>(size.width, size.height, kDebugContext);
+}
+
+PanelSize offscreenSize(const calib::DisplayProfile& display) {
+    if (display.width == 0) return {1920, 1080};
+    return {display.width, display.height};
+}
+
+} // namespace autostereo::daemon

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "config/load.hpp"
+#include "daemon/command_line.hpp"
+#include "devices/feed.hpp"
+#include "devices/input.hpp"
+#include "gpu/panel.hpp"
+
+#include <memory>
+
+namespace autostereo::daemon {
+
+/// A command's options over its configuration file, over the embedded default.
+[[nodiscard]] config::Config configuration(const SceneOptions& options);
+
+/// The profile that the options or the configuration name, else "preview".
+[[nodiscard]] calib::DisplayProfile chooseDisplay(const config::Config& config);
+
+/// The input with both streams and a rig. Throws DeviceError, ConfigError.
+[[nodiscard]] devices::Input openScene(const config::Config& config);
+
+/// realtime: two sensor threads; max: every frame in order. `clock` must outlive the feed.
+[[nodiscard]] std::unique_ptr<devices::Feed> openFeed(devices::Input input,
+                                                      const config::Config& config,
+                                                      config::Speed speed, bool loop,
+                                                      devices::Clock& clock);
+
+/// A window where one was asked for or a display server is there; else off-screen. Throws GlError.
+[[nodiscard]] std::unique_ptr<gpu::Panel> openPanel(const calib::DisplayProfile& display,
+                                                    config::Output output, bool force);
+[[nodiscard]] config::Output chooseOutput(const config::Config& config);
+
+/// The display's own mode, or full HD off-screen where it takes any.
+struct PanelSize {
+    int width;
+    int height;
+};
+[[nodiscard]] PanelSize offscreenSize(const calib::DisplayProfile& display);
+
+} // namespace autostereo::daemon

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "calib/display_profile.hpp"
+#include "calib/phase_laws.hpp"
+#include "devices/input.hpp"
+#include "devices/sim/simulation.hpp"
+#include "gpu/pipeline.hpp"
+#include "gpu/readback.hpp"
+#include "tests/oracle/panel_oracle.hpp"
+
+#include <string>
+#include <vector>
+
+namespace autostereo::test {
+
+/// A simulated pair of frames and its cameras.
+struct SimulatedPair {
+    calib::SensorRig rig;
+    devices::RgbdFrame frame;
+    std::unique_ptr<devices::Source> depth, color; ///< own the frames' memory
+};
+
+inline SimulatedPair simulate(const std::string& uri, int skip = 0) {
+    devices::Input input = devices::sim::openSimulation(uri);
+    SimulatedPair pair{*input.rig, {}, std::move(input.depth), std::move(input.color)};
+    for (int i = 0; i <= skip; ++i) {
+        pair.frame.depth = std::get<devices::Frame>(pair.depth->read(devices::TimePoint::max()));
+        pair.frame.color = std::get<devices::Frame>(pair.color->read(devices::TimePoint::max()));
+    }
+    return pair;
+}
+
+/// Lens sheet like the Portrait's, small enough to draw in a test.
+inline calib::DisplayProfile smallLensDisplay(int columns, int rows, int tileWidth,
+                                              int tileHeight) {
+    calib::DisplayProfile display;
+    display.name = "small";
+    display.width = 384;
+    display.height = 512;
+    display.widthM = 0.12;
+    display.viewingDistanceM = 0.5;
+    display.coneRad = 0.698;
+    display.views = columns * rows;
+    display.phase = calib::lookingGlassPhase({52.56, -7.1423, 0.4735, 324, 384, 512, false});
+    display.quilt = {columns, rows, tileWidth, tileHeight};
+    display.disparityFar = -0.06;
+    display.disparityNear = 0.06;
+    return display;
+}
+
+inline oracle::MeshInput oracleInput(const SimulatedPair& pair, const gpu::Pipeline& pipeline,
+                                     const gpu::PipelineParams& params) {
+    const devices::FrameMetadata& form = pair.frame.depth.metadata();
+    const auto counts = pair.frame.depth.depth();
+    return {{form.width, form.height, form.depthUnitM, {counts.begin(), counts.end()}},
+            pair.rig,
+            pipeline.geometry(),
+            params.mesh};
+}
+
+inline oracle::Picture colorPicture(const devices::Frame& frame) {
+    oracle::Picture picture{frame.metadata().width, frame.metadata().height, {}};
+    const auto bytes = frame.pixels();
+    for (std::size_t i = 0; i < frame.pixelCount(); ++i)
+        picture.pixels.push_back({static_cast<double>(bytes[4 * i]),
+                                  static_cast<double>(bytes[4 * i + 1]),
+                                  static_cast<double>(bytes[4 * i + 2])});
+    return picture;
+}
+
+/// All views' tiles, in double precision.
+inline std::vector<oracle::Picture> oracleTiles(const oracle::MeshInput& mesh,
+                                                const oracle::Picture& color,
+                                                const calib::DisplayProfile& display) {
+    const oracle::Layer scene = oracle::sceneLayer(mesh);
+    const oracle::Layer background =
+        oracle::backgroundLayer(mesh, gpu::DepthMesh::kBackgroundStride);
+    std::vector<oracle::Picture> tiles;
+    for (int view = 0; view < display.views; ++view) {
+        const double b = (2.0 * view + 1) / display.views - 1;
+        oracle::ViewDrawing drawing(display.quilt.tileWidth, display.quilt.tileHeight, {});
+        drawing.draw(scene, b, color);
+        drawing.draw(background, b, color);
+        tiles.push_back(drawing.picture());
+    }
+    return tiles;
+}
+
+} // namespace autostereo::test
