@@ -50,4 +50,5 @@ echo "clang-tidy on ${#files[@]} sources"
 ((${#files[@]})) || exit 0
 export -f tidy_one
 export build deadline
+# shellcheck disable=SC2016 # the inner bash expands it
 printf '%s\n' "${files[@]}" | xargs -P "$(nproc)" -n 1 bash -c 'tidy_one "$1"' tidy_one
