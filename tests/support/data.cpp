@@ -16,4 +16,6 @@ bool required(const char* what) {
            (',' + std::string(list) + ',').find(',' + std::string(what) + ',') != std::string::npos;
 }
 
+bool fullCampaign() { return std::getenv("AUTOSTEREO_FULL") != nullptr; }
+
 } // namespace autostereo::test

@@ -7,6 +7,12 @@ namespace autostereo::test {
 /// Folder with real recordings: $AUTOSTEREO_DATA, else the one found at configuration.
 [[nodiscard]] std::filesystem::path dataDir();
 
+/// True when $AUTOSTEREO_REQUIRE (a comma-separated list) names `what`: skipping is no option.
+[[nodiscard]] bool required(const char* what);
+
+/// True for `tests/run --full` ($AUTOSTEREO_FULL): campaigns run at full length.
+[[nodiscard]] bool fullCampaign();
+
 } // namespace autostereo::test
 
 /// Skips a test with a reason a person can read; with AUTOSTEREO_REQUIRE=data (CI) it fails.
@@ -18,8 +24,3 @@ namespace autostereo::test {
             GTEST_SKIP() << "test data missing: " << (autostereo::test::dataDir() / (relative));   \
         }                                                                                          \
     } while (false)
-
-namespace autostereo::test {
-/// True when $AUTOSTEREO_REQUIRE (a comma-separated list) names `what`.
-[[nodiscard]] bool required(const char* what);
-} // namespace autostereo::test
