@@ -18,7 +18,7 @@ namespace autostereo::devices {
 /// stream; a time seen twice in a row is a duplicate. Both are counted as unpaired. Reentrant.
 class FrameSync {
   public:
-    static constexpr std::size_t kDepthKept = 3;
+    static constexpr std::size_t kDepthKept = 4;
     static constexpr std::size_t kColorKept = 4;
 
     explicit FrameSync(SyncParams params) : tolerance_(params.tolerance) {}
