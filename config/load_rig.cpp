@@ -2,9 +2,10 @@
 #include "config/text_file.hpp"
 #include "config/toml_reader.hpp"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <cmath>
-#include <cstddef>
-#include <limits>
+#include <string>
 
 namespace autostereo::config {
 
@@ -50,9 +51,7 @@ bool isRotation(const glm::dmat3& m) {
 calib::RigidTransform readTransform(TomlReader table) {
     calib::RigidTransform transform;
     const auto rows = table.numbers<9>("rotation", {-1.001, 1.001});
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            transform.rotation[column][row] = rows[static_cast<std::size_t>(3 * row + column)];
+    transform.rotation = glm::transpose(glm::make_mat3(rows.data())); // GLM stores columns
     if (!isRotation(transform.rotation))
         table.reject("rotation", "is no rotation (allowed orthonormal rows within 0.001, "
                                  "determinant +1)");

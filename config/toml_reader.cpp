@@ -143,7 +143,7 @@ struct TomlReader::Document {
     }
 };
 
-TomlReader::TomlReader(std::string file, std::string_view text, Fallbacks fallbacks)
+TomlReader::TomlReader(const std::string& file, std::string_view text, Fallbacks fallbacks)
     : owned_(new Document{file, fallbacks, parsed(file, text), {}, {}}), document_(owned_.get()) {}
 
 TomlReader::TomlReader(Document& document, std::string path)

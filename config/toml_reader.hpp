@@ -30,7 +30,8 @@ class TomlReader {
     enum class Fallbacks { Allowed, Refused };
 
     /// Throws ConfigError where `text` is no TOML; `file` is its name in messages.
-    TomlReader(std::string file, std::string_view text, Fallbacks fallbacks = Fallbacks::Allowed);
+    TomlReader(const std::string& file, std::string_view text,
+               Fallbacks fallbacks = Fallbacks::Allowed);
     ~TomlReader();
     TomlReader(const TomlReader&) = delete;
     TomlReader& operator=(const TomlReader&) = delete;
