@@ -22,8 +22,10 @@ struct Interval {
     double second = kNoHit;
 };
 
+constexpr Interval kNever{kNoHit, -kNoHit};
+
 Interval slab(double origin, double direction, double half) {
-    if (direction == 0.0) return std::abs(origin) <= half ? Interval{} : Interval{kNoHit, -kNoHit};
+    if (direction == 0.0) return std::abs(origin) <= half ? Interval{} : kNever;
     const double a = (-half - origin) / direction;
     const double b = (half - origin) / direction;
     return a < b ? Interval{a, b} : Interval{b, a};
@@ -37,82 +39,92 @@ double nearestOf(const Interval& inside) {
     return inside.first <= inside.second ? nearestOf(inside.first, inside.second) : kNoHit;
 }
 
-double hitBox(const Ray& ray, const glm::dvec3& size) {
-    Interval inside = slab(ray.origin.x, ray.direction.x, size.x);
-    inside = overlap(inside, slab(ray.origin.y, ray.direction.y, size.y));
-    inside = overlap(inside, slab(ray.origin.z, ray.direction.z, size.z));
-    return nearestOf(inside);
-}
-
-/// Roots of a t^2 + 2 b t + c <= 0.
+/// Where a t^2 + 2 b t + c <= 0.
 Interval solve(double a, double b, double c) {
     const double discriminant = b * b - a * c;
-    if (discriminant < 0.0 || a == 0.0) return {kNoHit, -kNoHit};
+    if (discriminant < 0.0 || a == 0.0) return kNever;
     const double root = std::sqrt(discriminant);
     return {(-b - root) / a, (-b + root) / a};
 }
 
-Interval insideSphere(const glm::dvec3& origin, const glm::dvec3& direction, double radius) {
+Interval insideBall(const glm::dvec3& origin, const glm::dvec3& direction, double radius) {
     return solve(glm::dot(direction, direction), glm::dot(origin, direction),
                  glm::dot(origin, origin) - radius * radius);
 }
 
-Interval insideTube(const Ray& ray, double radius) {
-    const double a = ray.direction.x * ray.direction.x + ray.direction.z * ray.direction.z;
-    const double c = ray.origin.x * ray.origin.x + ray.origin.z * ray.origin.z - radius * radius;
-    if (a == 0.0) return c <= 0.0 ? Interval{} : Interval{kNoHit, -kNoHit};
-    return solve(a, ray.origin.x * ray.direction.x + ray.origin.z * ray.direction.z, c);
-}
-
-double hitCylinder(const Ray& ray, const glm::dvec3& size) {
-    return nearestOf(overlap(insideTube(ray, size.x), slab(ray.origin.y, ray.direction.y, size.y)));
-}
-
-/// The union of a tube and two balls; convex, so the ray is inside from the first to the last.
-double hitCapsule(const Ray& ray, const glm::dvec3& size) {
-    const Interval around = insideTube(ray, size.x);
-    if (around.first > around.second) return kNoHit;
-    const double straight = size.y - size.x;
-    Interval whole = overlap(around, slab(ray.origin.y, ray.direction.y, straight));
-    if (whole.first > whole.second) whole = {kNoHit, -kNoHit};
-    for (const double end : {-straight, straight}) {
-        const Interval ball =
-            insideSphere(ray.origin - glm::dvec3(0, end, 0), ray.direction, size.x);
-        if (ball.first > ball.second) continue;
-        whole = {std::min(whole.first, ball.first), std::max(whole.second, ball.second)};
-    }
-    return nearestOf(whole);
+/// An endless cylinder around the y axis.
+Interval insideTube(const glm::dvec3& origin, const glm::dvec3& direction, double radius) {
+    const double a = direction.x * direction.x + direction.z * direction.z;
+    const double c = origin.x * origin.x + origin.z * origin.z - radius * radius;
+    if (a == 0.0) return c <= 0.0 ? Interval{} : kNever;
+    return solve(a, origin.x * direction.x + origin.z * direction.z, c);
 }
 
 } // namespace
 
-double intersect(const Body& body, const Ray& ray) {
-    const auto& [rotation, centre] = body.sceneFromBody;
-    // v * M is transpose(M) * v: into the body's frame.
-    const Ray local{(ray.origin - centre) * rotation, ray.direction * rotation};
-    switch (body.shape) {
+BodyFromPoint::BodyFromPoint(const Body& body, const glm::dvec3& origin)
+    : shape_(body.shape), size_(body.size),
+      localFromScene_(glm::transpose(body.sceneFromBody.rotation)) {
+    if (shape_ == Shape::Ellipsoid) {
+        for (int axis = 0; axis < 3; ++axis)
+            localFromScene_[axis] /= size_;
+    }
+    origin_ = localFromScene_ * (origin - body.sceneFromBody.translation);
+}
+
+double BodyFromPoint::distanceAlong(const glm::dvec3& direction) const {
+    const glm::dvec3 local = localFromScene_ * direction;
+    switch (shape_) {
     case Shape::Box:
-        return hitBox(local, body.size);
+        return toBox(local);
     case Shape::Cylinder:
-        return hitCylinder(local, body.size);
+        return toCylinder(local);
     case Shape::Capsule:
-        return hitCapsule(local, body.size);
+        return toCapsule(local);
     case Shape::Ellipsoid:
         break;
     }
-    return nearestOf(insideSphere(local.origin / body.size, local.direction / body.size, 1.0));
+    return nearestOf(insideBall(origin_, local, 1.0));
+}
+
+double BodyFromPoint::toBox(const glm::dvec3& direction) const {
+    Interval inside = slab(origin_.x, direction.x, size_.x);
+    inside = overlap(inside, slab(origin_.y, direction.y, size_.y));
+    inside = overlap(inside, slab(origin_.z, direction.z, size_.z));
+    return nearestOf(inside);
+}
+
+double BodyFromPoint::toCylinder(const glm::dvec3& direction) const {
+    return nearestOf(
+        overlap(insideTube(origin_, direction, size_.x), slab(origin_.y, direction.y, size_.y)));
+}
+
+/// A line that goes through the tube beyond its straight part can only pass the end there.
+double BodyFromPoint::toCapsule(const glm::dvec3& direction) const {
+    const Interval tube = insideTube(origin_, direction, size_.x);
+    if (tube.first > tube.second) return kNoHit;
+    const double straight = size_.y - size_.x;
+    const auto roundEnd = [&](double height) {
+        const glm::dvec3 middle(0, std::copysign(straight, height), 0);
+        return insideBall(origin_ - middle, direction, size_.x);
+    };
+    const double enters = origin_.y + tube.first * direction.y;
+    const double leaves = origin_.y + tube.second * direction.y;
+    const double first = std::abs(enters) <= straight ? tube.first : roundEnd(enters).first;
+    if (first > kNearest) return first; // kNoHit, too: it passes the end without touching it
+    return nearestOf(first, std::abs(leaves) <= straight ? tube.second : roundEnd(leaves).second);
 }
 
 glm::dvec3 normalAt(const Body& body, const glm::dvec3& point) {
-    const glm::dvec3 relative = point / body.size;
-    const glm::dvec3 away = glm::abs(relative);
     switch (body.shape) {
-    case Shape::Box:
+    case Shape::Box: {
+        const glm::dvec3 away = glm::abs(point / body.size);
         if (away.x >= away.y && away.x >= away.z) return {std::copysign(1.0, point.x), 0, 0};
         if (away.y >= away.z) return {0, std::copysign(1.0, point.y), 0};
         return {0, 0, std::copysign(1.0, point.z)};
+    }
     case Shape::Cylinder:
-        if (away.y * body.size.x >= std::hypot(point.x, point.z)) {
+        if (std::abs(point.y) * body.size.x >= std::hypot(point.x, point.z) * body.size.y) {
             return {0, std::copysign(1.0, point.y), 0};
         }
         return glm::normalize(glm::dvec3(point.x, 0, point.z));
@@ -123,7 +135,7 @@ glm::dvec3 normalAt(const Body& body, const glm::dvec3& point) {
     case Shape::Ellipsoid:
         break;
     }
-    return glm::normalize(relative / body.size);
+    return glm::normalize(point / (body.size * body.size));
 }
 
 glm::dvec3 extentsAfter(const Body& body, const glm::dmat3& rotation) {

@@ -30,8 +30,23 @@ struct Body {
     Material material;
 };
 
-/// Distance to the first hit in front of the ray's origin, or kNoHit.
-[[nodiscard]] double intersect(const Body& body, const Ray& ray);
+/// A body seen from one point: what does not depend on a ray's direction is computed once.
+class BodyFromPoint {
+  public:
+    BodyFromPoint(const Body& body, const glm::dvec3& origin);
+    /// To the first hit in front of the origin, or kNoHit.
+    [[nodiscard]] double distanceAlong(const glm::dvec3& direction) const;
+
+  private:
+    [[nodiscard]] double toBox(const glm::dvec3& direction) const;
+    [[nodiscard]] double toCylinder(const glm::dvec3& direction) const;
+    [[nodiscard]] double toCapsule(const glm::dvec3& direction) const;
+
+    Shape shape_;
+    glm::dvec3 size_;
+    glm::dmat3 localFromScene_; ///< also scales an ellipsoid to a ball of radius 1
+    glm::dvec3 origin_;         ///< local
+};
 
 /// Outward normal (unit, body frame) at a point on the surface (body frame).
 [[nodiscard]] glm::dvec3 normalAt(const Body& body, const glm::dvec3& point);

@@ -2,6 +2,7 @@
 
 #include "devices/sim/hash.hpp"
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
@@ -25,8 +26,7 @@ namespace autostereo::devices::sim {
 
 /// 1 inside the ellipse around `centre`.
 [[nodiscard]] inline double softDisc(glm::dvec2 p, glm::dvec2 centre, glm::dvec2 radius) {
-    const double r = std::hypot((p.x - centre.x) / radius.x, (p.y - centre.y) / radius.y);
-    return softStep(1 - r, 0.08);
+    return softStep(1 - glm::length((p - centre) / radius), 0.08);
 }
 
 /// Distance to the nearest multiple of `period`.

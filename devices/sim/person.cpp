@@ -50,7 +50,9 @@ void addArm(std::vector<Body>& bodies, const glm::dvec3& shoulder, const glm::dv
     const glm::dvec3 hand = wrist + 0.075 * glm::normalize(wrist - elbow);
     calib::RigidTransform pose = between(elbow, wrist);
     pose.translation = hand;
-    bodies.push_back({Shape::Ellipsoid, pose, {0.022, 0.085, 0.045}, kSkin});
+    bodies.push_back({Shape::Ellipsoid, pose, {0.045, 0.085, 0.024}, kSkin});
+    const glm::dvec3 thumb = hand + pose.rotation * glm::dvec3(-0.062, 0.012, 0);
+    bodies.push_back(limb(wrist, thumb, 0.012, kSkin));
 }
 
 } // namespace
@@ -63,13 +65,15 @@ std::vector<Body> personAt(double timeSeconds) {
     std::vector<Body> bodies;
     bodies.reserve(20);
 
+    // Chest and waist lie two stripes apart, so that the shirt's pattern goes through.
     const glm::dmat3 lean = between(hip, chest).rotation;
-    bodies.push_back({Shape::Ellipsoid,
-                      {lean, 0.6 * chest + 0.4 * hip + glm::dvec3(0, 0.02, 0)},
-                      {0.165, 0.33, 0.115},
-                      kShirt});
-    bodies.push_back(
-        {Shape::Ellipsoid, {lean, chest + glm::dvec3(0, 0.03, 0)}, {0.205, 0.15, 0.115}, kShirt});
+    const auto add = [&](double below, const glm::dvec3& size, const Material& material) {
+        const glm::dvec3 centre = chest - below * lean[1];
+        bodies.push_back({Shape::Ellipsoid, {lean, centre}, size, material});
+    };
+    add(0.00, {0.200, 0.170, 0.115}, kShirt);
+    add(0.14, {0.172, 0.290, 0.112}, kShirt);
+    add(0.38, {0.172, 0.105, 0.120}, kTrousers);
     for (const double side : {-1.0, 1.0}) {
         const glm::dvec3 thigh = hip + glm::dvec3(side * 0.085, 0.06, 0);
         bodies.push_back(limb(thigh, {-0.27 + side * 0.11, 1.03, 1.49}, 0.082, kTrousers));
@@ -82,8 +86,8 @@ std::vector<Body> personAt(double timeSeconds) {
            right + glm::dvec3(0.05, 0.48, -0.05 + 0.04 * wave(t, 1, 0.2)));
     const glm::dvec3 left = chest + glm::dvec3(-0.205, -0.03, 0);
     const double reach = 0.5 + 0.5 * wave(t, 1, 0.6);
-    const glm::dvec3 elbow = left + glm::dvec3(-0.13, 0.17 - 0.06 * reach, -0.10 - 0.10 * reach);
-    const glm::dvec3 forearm{0.14 * wave(t, 4), -0.20, -0.06 - 0.10 * reach};
+    const glm::dvec3 elbow = left + glm::dvec3(-0.09, 0.17 - 0.06 * reach, -0.10 - 0.10 * reach);
+    const glm::dvec3 forearm{0.04 + 0.12 * wave(t, 4), -0.20, -0.06 - 0.10 * reach};
     addArm(bodies, left, elbow, elbow + 0.25 * glm::normalize(forearm));
     return bodies;
 }

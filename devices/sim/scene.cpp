@@ -56,7 +56,7 @@ Hit Snapshot::trace(const Ray& ray) const {
     const Body* seen = nullptr;
     for (const auto& bodies : {fixed_, std::span<const Body>(moving_)}) {
         for (const Body& body : bodies) {
-            const double distance = intersect(body, ray);
+            const double distance = BodyFromPoint(body, ray.origin).distanceAlong(ray.direction);
             if (distance < nearest) {
                 nearest = distance;
                 seen = &body;

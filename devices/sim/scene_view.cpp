@@ -60,10 +60,6 @@ void SceneView::makeRays(const calib::CameraModel& camera) {
     }
 }
 
-Ray SceneView::rayOf(std::size_t pixel) const {
-    return {sceneFromCamera_.translation, directions_[pixel]};
-}
-
 std::pair<std::size_t, std::size_t> SceneView::spanOf(const std::vector<Range>& ranges,
                                                       const Range& wanted) {
     const auto meets = [&](const Range& range) { return range.meets(wanted); };
@@ -98,36 +94,46 @@ SceneView::PixelBox SceneView::boxAround(const Body& body) const {
 
 void SceneView::draw(std::span<const Body> bodies, const std::vector<double>& behind,
                      const PixelSink& sink) const {
-    std::vector<PixelBox> boxes;
-    for (const Body& body : bodies)
-        boxes.push_back(boxAround(body));
-    std::vector<double> nearest(columns_.size());
-    std::vector<const Body*> seen(columns_.size());
+    std::vector<Candidate> candidates;
+    for (const Body& body : bodies) {
+        candidates.push_back(
+            {&body, BodyFromPoint(body, sceneFromCamera_.translation), boxAround(body)});
+    }
+    RowScratch scratch{std::vector<double>(columns_.size()),
+                       std::vector<const Body*>(columns_.size())};
     for (std::size_t row = 0; row < rows_.size(); ++row) {
-        const std::size_t start = row * columns_.size();
-        std::size_t left = columns_.size(), right = 0;
-        for (const PixelBox& box : boxes) {
-            if (!box.hasRow(row)) continue;
-            left = std::min(left, box.left);
-            right = std::max(right, box.right);
+        drawRow(row, candidates, {&behind[row * columns_.size()], columns_.size()}, scratch, sink);
+    }
+}
+
+void SceneView::drawRow(std::size_t row, std::span<const Candidate> candidates,
+                        std::span<const double> behind, RowScratch& scratch,
+                        const PixelSink& sink) const {
+    auto& [nearest, seen] = scratch;
+    const std::size_t start = row * columns_.size();
+    std::size_t left = columns_.size(), right = 0;
+    for (const Candidate& candidate : candidates) {
+        if (!candidate.box.hasRow(row)) continue;
+        left = std::min(left, candidate.box.left);
+        right = std::max(right, candidate.box.right);
+    }
+    for (std::size_t column = left; column < right; ++column) {
+        nearest[column] = behind[column];
+        seen[column] = nullptr;
+    }
+    for (const Candidate& candidate : candidates) {
+        if (!candidate.box.hasRow(row)) continue;
+        for (std::size_t column = candidate.box.left; column < candidate.box.right; ++column) {
+            const double distance = candidate.view.distanceAlong(directions_[start + column]);
+            if (!(distance < nearest[column])) continue;
+            nearest[column] = distance;
+            seen[column] = candidate.body;
         }
-        for (std::size_t column = left; column < right; ++column) {
-            nearest[column] = behind[start + column];
-            seen[column] = nullptr;
-        }
-        for (std::size_t which = 0; which < bodies.size(); ++which) {
-            if (!boxes[which].hasRow(row)) continue;
-            for (std::size_t column = boxes[which].left; column < boxes[which].right; ++column) {
-                const double distance = intersect(bodies[which], rayOf(start + column));
-                if (!(distance < nearest[column])) continue;
-                nearest[column] = distance;
-                seen[column] = &bodies[which];
-            }
-        }
-        for (std::size_t column = left; column < right; ++column) {
-            if (seen[column] == nullptr) continue;
-            sink(start + column, shade(*seen[column], rayOf(start + column), nearest[column]));
-        }
+    }
+    for (std::size_t column = left; column < right; ++column) {
+        if (seen[column] == nullptr) continue;
+        const Ray ray{sceneFromCamera_.translation, directions_[start + column]};
+        sink(start + column, shade(*seen[column], ray, nearest[column]));
     }
 }
 

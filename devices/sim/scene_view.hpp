@@ -44,14 +44,24 @@ class SceneView {
         std::size_t left, right, top, bottom; ///< right and bottom excluded
         [[nodiscard]] bool hasRow(std::size_t row) const { return top <= row && row < bottom; }
     };
+    struct Candidate {
+        const Body* body;
+        BodyFromPoint view;
+        PixelBox box;
+    };
+    struct RowScratch {
+        std::vector<double> nearest;
+        std::vector<const Body*> seen;
+    };
     [[nodiscard]] PixelBox boxAround(const Body& body) const;
     /// First and last + 1 of the ranges that meet `wanted`.
     [[nodiscard]] static std::pair<std::size_t, std::size_t>
     spanOf(const std::vector<Range>& ranges, const Range& wanted);
     void draw(std::span<const Body> bodies, const std::vector<double>& behind,
               const PixelSink& sink) const;
+    void drawRow(std::size_t row, std::span<const Candidate> candidates,
+                 std::span<const double> behind, RowScratch& scratch, const PixelSink& sink) const;
     void makeRays(const calib::CameraModel& camera);
-    [[nodiscard]] Ray rayOf(std::size_t pixel) const;
 
     const Scene& scene_;
     calib::RigidTransform sceneFromCamera_;

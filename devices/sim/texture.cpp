@@ -164,7 +164,7 @@ Paint face(const Material& material, const SurfacePoint& at) {
     const auto paint = [&](const glm::dvec3& with, double share) {
         color = glm::mix(color, with, share);
     };
-    paint({224, 128, 112}, 0.45 * softDisc(p, {0.045, 0.040}, {0.024, 0.018}));
+    paint({224, 128, 112}, 0.22 * softDisc(p, {0.045, 0.040}, {0.024, 0.018}));
     paint({248, 246, 240}, softDisc(p, {0.031, -0.008}, {0.0155, 0.0095}));
     paint({58, 72, 60}, softDisc(p, {0.031, -0.008}, {0.0080, 0.0085}));
     paint({16, 14, 16}, softDisc(p, {0.031, -0.008}, {0.0040, 0.0042}));
@@ -178,19 +178,21 @@ Paint face(const Material& material, const SurfacePoint& at) {
 
 Paint chessboard(const Material& material, const SurfacePoint& at) {
     if (at.normal.z > -0.5) return {material.color, material.irReflectance};
-    constexpr double kPi = 3.14159265358979323846;
     constexpr double kSoftBoardM = 0.0012; // about half a pixel at the board, edges stay unbiased
     const glm::dvec2 p{at.position.x + 0.5 * kBoardColumns * kBoardSquareM,
                        at.position.y + 0.5 * kBoardRows * kBoardSquareM};
-    // -1 and 1 in turn, changing softly at each line of the grid.
-    const auto alternate = [](double x) {
-        const double sign = std::sin(x * kPi / kBoardSquareM) < 0 ? -1.0 : 1.0;
-        return sign * (2 * softStep(toGrid(x, kBoardSquareM), kSoftBoardM) - 1);
+    // 1 and -1 in turn, changing softly at the lines between squares (not at the outer ones).
+    const auto alternate = [](double x, int squares) {
+        const double line =
+            std::clamp(std::round(x / kBoardSquareM), 1.0, static_cast<double>(squares - 1));
+        const double sign = std::fmod(line, 2.0) == 0.0 ? 1.0 : -1.0;
+        return sign * (2 * softStep(x - line * kBoardSquareM, kSoftBoardM) - 1);
     };
     const double inside =
         softBand(at.position.x, 0.5 * kBoardColumns * kBoardSquareM, kSoftBoardM) *
         softBand(at.position.y, 0.5 * kBoardRows * kBoardSquareM, kSoftBoardM);
-    const double black = inside * (0.5 + 0.5 * alternate(p.x) * alternate(p.y));
+    const double black =
+        inside * (0.5 + 0.5 * alternate(p.x, kBoardColumns) * alternate(p.y, kBoardRows));
     const glm::dvec3 ink{26, 26, 28};
     constexpr double kInkReflectance = 0.12; // toner absorbs near infrared, too
     return {glm::mix(material.color, ink, black),

@@ -19,14 +19,14 @@ float sigmaMm(float amplitude) {
     return std::sqrt(kSigmaFloorMm * kSigmaFloorMm + shot * shot);
 }
 
-/// Neighbours further apart than this lie on different surfaces.
-float edgeStep(float depthM) { return 0.04F * depthM; }
+/// Neighbours further apart than this part of their depth lie on different surfaces.
+constexpr float kEdgeStep = 0.04F;
+constexpr std::uint16_t kSaturatedCount = 65535;
 
-std::uint16_t roundedCount(float value, float most) {
-    return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, most)));
+std::uint16_t roundedCount(float value) {
+    constexpr float kMost = kSaturatedCount - 1;
+    return static_cast<std::uint16_t>(std::clamp(value, 0.0F, kMost) + 0.5F);
 }
-
-constexpr float kMostCount = 65534; // 65535 means saturated (amplitude), nothing (depth)
 
 } // namespace
 
@@ -48,36 +48,31 @@ void TofSensor::measure(std::span<const TofSample> exact, std::uint64_t frame,
                         std::span<std::uint16_t> amplitude) const {
     if (noise_) return measureNoisy(exact, frame, depthMm, amplitude);
     for (std::size_t pixel = 0; pixel < exact.size(); ++pixel) {
-        depthMm[pixel] = roundedCount(exact[pixel].depthM * 1000, kMostCount);
-        amplitude[pixel] = roundedCount(exact[pixel].amplitude, kMostCount);
+        depthMm[pixel] = roundedCount(exact[pixel].depthM * 1000);
+        amplitude[pixel] = roundedCount(exact[pixel].amplitude);
     }
 }
 
 /// Each of four sub-rays, towards the four neighbours, falls on the neighbour's surface one time
 /// in four, else on the pixel's own. Only what lies across a depth edge counts.
-TofSample TofSensor::overFootprint(std::span<const TofSample> exact, std::size_t pixel,
+TofSample TofSensor::overFootprint(std::span<const TofSample> exact, std::size_t x, std::size_t y,
                                    std::uint64_t bits) const {
-    const TofSample own = exact[pixel];
-    const std::size_t x = pixel % width_, y = pixel / width_;
-    const float step = edgeStep(own.depthM);
+    const std::size_t pixel = y * width_ + x;
+    const TofSample& own = exact[pixel];
+    const TofSample* const around[] = {
+        x > 0 ? &exact[pixel - 1] : &own, x + 1 < width_ ? &exact[pixel + 1] : &own,
+        y > 0 ? &exact[pixel - width_] : &own, y + 1 < height_ ? &exact[pixel + width_] : &own};
+    const float step = kEdgeStep * own.depthM;
     float weight = 0, weightedDepth = 0;
-    const auto subRay = [&](bool inside, std::size_t neighbour) {
-        TofSample seen = own;
-        const bool strays = (bits & 3U) == 0;
+    for (const TofSample* neighbour : around) {
+        const bool strays = std::abs(neighbour->depthM - own.depthM) > step &&
+                            neighbour->depthM > 0 && (bits & 3U) == 0;
         bits >>= 2;
-        if (inside && strays && exact[neighbour].depthM > 0 &&
-            std::abs(exact[neighbour].depthM - own.depthM) > step) {
-            seen = exact[neighbour];
-        }
+        const TofSample& seen = strays ? *neighbour : own;
         weight += seen.amplitude;
         weightedDepth += seen.amplitude * seen.depthM;
-    };
-    subRay(x > 0, pixel - 1);
-    subRay(x + 1 < width_, pixel + 1);
-    subRay(y > 0, pixel - width_);
-    subRay(y + 1 < height_, pixel + width_);
-    if (!(weight > 0)) return own;
-    return {weightedDepth / weight, weight / 4};
+    }
+    return weight > 0 ? TofSample{weightedDepth / weight, weight / 4} : own;
 }
 
 void TofSensor::measureNoisy(std::span<const TofSample> exact, std::uint64_t frame,
@@ -88,25 +83,22 @@ void TofSensor::measureNoisy(std::span<const TofSample> exact, std::uint64_t fra
         return hashBits(hashBits(seed_, of), what);
     };
     const std::uint64_t now = key(frame, 0), before = key(frame - 1, 0), other = key(frame, 1);
-    for (std::size_t pixel = 0; pixel < exact.size(); ++pixel) {
-        depthMm[pixel] = 0;
-        amplitude[pixel] = 0;
-        if (!(exact[pixel].depthM > 0)) continue;
-        const std::uint64_t bits = hashBits(other, pixel);
-        const TofSample seen = overFootprint(exact, pixel, bits);
-        // Shot and read noise of the amplitude; the mixing bits above are the lowest byte.
-        const float read = 2 + 0.5F * std::sqrt(seen.amplitude);
-        const float counts = seen.amplitude + read * gaussianFrom(mixBits(bits));
-        if (counts > kSaturation) {
-            amplitude[pixel] = 65535;
-            continue;
+    for (std::size_t y = 0; y < height_; ++y) {
+        for (std::size_t x = 0; x < width_; ++x) {
+            const std::size_t pixel = y * width_ + x;
+            depthMm[pixel] = 0;
+            amplitude[pixel] = 0;
+            if (!(exact[pixel].depthM > 0)) continue;
+            const std::uint64_t bits = hashBits(other, pixel);
+            const TofSample seen = overFootprint(exact, x, y, bits);
+            const float readNoise = 2 + 0.5F * std::sqrt(seen.amplitude); // and shot noise
+            const float counts = seen.amplitude + readNoise * gaussianFrom(mixBits(bits));
+            amplitude[pixel] = counts > kSaturation ? kSaturatedCount : roundedCount(counts);
+            if (counts > kSaturation || counts < kLeast) continue;
+            const float noise = kFromThisFrame * gaussianFrom(hashBits(now, pixel)) +
+                                kFromFrameBefore * gaussianFrom(hashBits(before, pixel));
+            depthMm[pixel] = roundedCount(seen.depthM * 1000 + sigmaMm(seen.amplitude) * noise);
         }
-        amplitude[pixel] = roundedCount(counts, kMostCount);
-        if (counts < kLeast) continue;
-        const float noise = kFromThisFrame * gaussianFrom(hashBits(now, pixel)) +
-                            kFromFrameBefore * gaussianFrom(hashBits(before, pixel));
-        depthMm[pixel] =
-            roundedCount(seen.depthM * 1000 + sigmaMm(seen.amplitude) * noise, kMostCount);
     }
 }
 

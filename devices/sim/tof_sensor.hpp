@@ -44,8 +44,8 @@ class TofSensor {
   private:
     void measureNoisy(std::span<const TofSample> exact, std::uint64_t frame,
                       std::span<std::uint16_t> depthMm, std::span<std::uint16_t> amplitude) const;
-    [[nodiscard]] TofSample overFootprint(std::span<const TofSample> exact, std::size_t pixel,
-                                          std::uint64_t bits) const;
+    [[nodiscard]] TofSample overFootprint(std::span<const TofSample> exact, std::size_t x,
+                                          std::size_t y, std::uint64_t bits) const;
 
     std::size_t width_;
     std::size_t height_;
