@@ -209,9 +209,12 @@ calib::CameraModel kinectModel(const Node& node, const KinectMode& mode) {
     const auto p = intrinsics.numbers("ModelParameters", 14, 32);
     const double width = mode.scaled.width, height = mode.scaled.height;
     calib::CameraModel camera;
-    camera.intrinsics = {mode.picture.width, mode.picture.height,
-                         p[2] * width,       p[3] * height,
-                         p[0] * width - mode.cropX - 0.5, p[1] * height - mode.cropY - 0.5};
+    camera.intrinsics = {mode.picture.width,
+                         mode.picture.height,
+                         p[2] * width,
+                         p[3] * height,
+                         p[0] * width - mode.cropX - 0.5,
+                         p[1] * height - mode.cropY - 0.5};
     camera.distortion = {p[4], p[5], p[13], p[12], p[6], p[7], p[8], p[9]};
     // 0 is the factory's "not known": the model then ends where it stops being one to one.
     if (const double radius = node.number("MetricRadius", 0); radius != 0)
@@ -225,7 +228,8 @@ calib::CameraModel kinectModel(const Node& node, const KinectMode& mode) {
 calib::SensorRig readKinectCalibration(std::span<const std::byte> text, const std::string& name,
                                        PictureSize depth, PictureSize color) {
     // A recording's attachment ends in a zero byte.
-    while (!text.empty() && text.back() == std::byte{0}) text = text.first(text.size() - 1);
+    while (!text.empty() && text.back() == std::byte{0})
+        text = text.first(text.size() - 1);
     const json blob = parse(text, name);
     const Node root{blob, name + ": "};
     calib::SensorRig rig;

@@ -9,9 +9,9 @@ namespace {
 /// ITU-R BT.601 in 16.16 fixed point.
 void putYuv(std::byte luma, std::byte cb, std::byte cr, std::byte* rgba) {
     constexpr int kOne = 1 << 16, kHalf = kOne / 2;
-    constexpr int kLuma = 76309;                                  // 255 / 219
-    constexpr int kRedCr = 104597, kGreenCr = 53279;              // 1.596, 0.813
-    constexpr int kGreenCb = 25675, kBlueCb = 132201;             // 0.392, 2.017
+    constexpr int kLuma = 76309;                      // 255 / 219
+    constexpr int kRedCr = 104597, kGreenCr = 53279;  // 1.596, 0.813
+    constexpr int kGreenCb = 25675, kBlueCb = 132201; // 0.392, 2.017
     const int y = (std::to_integer<int>(luma) - 16) * kLuma + kHalf;
     const int u = std::to_integer<int>(cb) - 128, v = std::to_integer<int>(cr) - 128;
     const auto clip = [](int value) {

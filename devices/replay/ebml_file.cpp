@@ -52,7 +52,8 @@ class EbmlFile::Stream final : public libebml::IOCallback {
         // The library looks at bytes that it asked for even where it is told that there are none.
         std::fill_n(out, count, std::byte{0});
         std::size_t done = 0;
-        for (; done < count && available(); ++done, ++position_) out[done] = current();
+        for (; done < count && available(); ++done, ++position_)
+            out[done] = current();
         return static_cast<std::uint32_t>(done);
     }
     void setFilePointer(std::int64_t offset, libebml::seek_mode mode) override {
@@ -81,8 +82,8 @@ class EbmlFile::Stream final : public libebml::IOCallback {
         if (position_ >= bufferedAt_ && position_ - bufferedAt_ < buffered_) return true;
         if (position_ >= size_) return false;
         bufferedAt_ = position_;
-        buffered_ = static_cast<std::size_t>(
-            std::min<std::uint64_t>(buffer_.size(), size_ - position_));
+        buffered_ =
+            static_cast<std::size_t>(std::min<std::uint64_t>(buffer_.size(), size_ - position_));
         if (readAt(bufferedAt_, std::span(buffer_).first(buffered_))) return true;
         buffered_ = 0;
         return false;
@@ -108,8 +109,8 @@ std::optional<EbmlHead> EbmlFile::headAt(std::uint64_t at, std::uint64_t limit) 
     if (at >= limit) return std::nullopt;
     // Only the kind that is asked for may have an unknown size: in recordings these two do.
     using Kinds = std::array<const libebml::EbmlCallbacks*, 2>;
-    for (const auto* kind : Kinds{&EBML_INFO(libmatroska::KaxCluster),
-                                  &EBML_INFO(libmatroska::KaxSegment)}) {
+    for (const auto* kind :
+         Kinds{&EBML_INFO(libmatroska::KaxCluster), &EBML_INFO(libmatroska::KaxSegment)}) {
         stream_->setFilePointer(static_cast<std::int64_t>(at), libebml::seek_beginning);
         const std::unique_ptr<libebml::EbmlElement> head(libebml::EbmlElement::FindNextID(
             *stream_, *kind, std::numeric_limits<std::int64_t>::max()));

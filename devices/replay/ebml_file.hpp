@@ -48,10 +48,13 @@ class EbmlFile {
     [[nodiscard]] std::uint64_t number(const EbmlHead& element) const;
 
     /// Calls `visit` for every whole child, up to the first damaged one.
-    template <class Visit> void forEachChild(const EbmlHead& parent, const Visit& visit) {
-        for (std::uint64_t at = parent.begin; const auto child = headAt(at, parent.end);
-             at = child->end)
+    template<class Visit>
+    void forEachChild(const EbmlHead& parent, const Visit& visit) {
+        std::uint64_t at = parent.begin;
+        while (const auto child = headAt(at, parent.end)) {
             if (child->whole) visit(*child);
+            at = child->end;
+        }
     }
 
   private:

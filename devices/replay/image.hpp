@@ -12,10 +12,14 @@ enum class ImageFormat : std::uint8_t { Grey8, Rgb8, Rgba8, Grey16 };
 
 [[nodiscard]] constexpr std::size_t bytesPerPixel(ImageFormat format) {
     switch (format) {
-    case ImageFormat::Grey8: return 1;
-    case ImageFormat::Grey16: return 2;
-    case ImageFormat::Rgb8: return 3;
-    case ImageFormat::Rgba8: break;
+    case ImageFormat::Grey8:
+        return 1;
+    case ImageFormat::Grey16:
+        return 2;
+    case ImageFormat::Rgb8:
+        return 3;
+    case ImageFormat::Rgba8:
+        break;
     }
     return 4;
 }

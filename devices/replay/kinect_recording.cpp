@@ -29,6 +29,10 @@ std::string fourCc(const MatroskaTrack& track) {
     return code;
 }
 
+std::string sizeText(int width, int height) {
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
 std::string tagOr(const MatroskaInfo& info, const char* name, const std::string& fallback) {
     const auto found = info.tags.find(name);
     return found == info.tags.end() ? fallback : found->second;
@@ -55,6 +59,8 @@ class Opener {
         if (depth != nullptr) openDepth(*depth);
         if (color != nullptr) openColor(*color);
         input_.rig = rig ? *rig : calibration(depth, color);
+        if (depth != nullptr) checkSize(*depth, input_.rig->depth);
+        if (color != nullptr) checkSize(*color, input_.rig->color);
         input_.startsAt = startsAt_ == Duration::max() ? Duration{0} : startsAt_;
         return std::move(input_);
     }
@@ -65,14 +71,12 @@ class Opener {
     }
 
     void openDepth(const MatroskaTrack& depth) {
-        if (fourCc(depth) != "b16g")
-            fail("DEPTH track is '" + fourCc(depth) + "' (allowed b16g)");
+        if (fourCc(depth) != "b16g") fail("DEPTH track is '" + fourCc(depth) + "' (allowed b16g)");
         const MatroskaTrack* infrared = trackNamed(info_, "IR");
         const bool useInfrared =
             infrared != nullptr && fourCc(*infrared) == "b16g" && !infrared->encoded;
         input_.depth = std::make_unique<KinectDepthSource>(
-            prepare(depth, "depth"),
-            useInfrared ? std::optional(infrared->number) : std::nullopt);
+            prepare(depth, "depth"), useInfrared ? std::optional(infrared->number) : std::nullopt);
     }
 
     void openColor(const MatroskaTrack& color) {
@@ -84,8 +88,8 @@ class Opener {
         const std::string code = fourCc(color);
         for (const auto& [name, format] : kFormats) {
             if (name != code) continue;
-            input_.color = std::make_unique<KinectColorSource>(
-                prepare(color, code + " colour"), format);
+            input_.color =
+                std::make_unique<KinectColorSource>(prepare(color, code + " colour"), format);
             return;
         }
         fail("COLOR track is '" + code + "' (allowed MJPG, NV12, YUY2, BGRA)");
@@ -95,12 +99,11 @@ class Opener {
     KinectTrack prepare(const MatroskaTrack& track, const std::string& what) {
         if (track.encoded) fail(track.name + " track is compressed on top of its codec");
         if (track.width < 1 || track.height < 1 || track.width % 2 != 0 || track.height % 2 != 0)
-            fail(track.name + " track has a size of " + std::to_string(track.width) + "x" +
-                 std::to_string(track.height) + " (allowed even, 2 to 16384)");
-        KinectTrack result{path_, info_, track.number, {track.width, track.height},
-                           startOffset(info_)};
-        input_.description += ", " + std::to_string(track.width) + "x" +
-                              std::to_string(track.height) + " " + what;
+            fail(track.name + " track has a size of " + sizeText(track.width, track.height) +
+                 " (allowed even, 2 to 16384)");
+        KinectTrack result{
+            path_, info_, track.number, {track.width, track.height}, startOffset(info_)};
+        input_.description += ", " + sizeText(track.width, track.height) + " " + what;
         input_.nominalPeriod = std::max(input_.nominalPeriod, track.period);
         MatroskaBlocks blocks(path_, info_, track.number);
         if (const auto first = blocks.next())
@@ -108,12 +111,18 @@ class Opener {
         return result;
     }
 
+    void checkSize(const MatroskaTrack& track, const calib::CameraModel& camera) const {
+        const calib::Intrinsics& i = camera.intrinsics;
+        if (i.width != track.width || i.height != track.height)
+            fail(track.name + " track has pictures of " + sizeText(track.width, track.height) +
+                 ", the rig is for " + sizeText(i.width, i.height));
+    }
+
     [[nodiscard]] calib::SensorRig calibration(const MatroskaTrack* depth,
                                                const MatroskaTrack* color) const {
         const std::string name = tagOr(info_, "K4A_CALIBRATION_FILE", "calibration.json");
         const auto found = info_.attachments.find(name);
-        if (found == info_.attachments.end())
-            fail("no " + name + " attached (use --rig)");
+        if (found == info_.attachments.end()) fail("no " + name + " attached (use --rig)");
         const auto size = [](const MatroskaTrack* track) {
             return track == nullptr ? PictureSize{} : PictureSize{track->width, track->height};
         };

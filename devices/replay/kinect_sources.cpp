@@ -20,7 +20,7 @@ void fromBigEndian(std::span<const std::byte> from, std::span<std::uint16_t> to)
 }
 
 /// Reads blocks until `convert` makes a frame of one. Whatever it throws is a damaged picture.
-template <class Convert>
+template<class Convert>
 ReadResult readFrame(MatroskaBlocks& blocks, RecordedStream& stream, const Convert& convert) {
     for (;;) {
         try {
@@ -110,8 +110,7 @@ std::optional<Frame> KinectColorSource::convert(const MatroskaBlock& block) {
         stream_.countDamaged();
         return std::nullopt;
     }
-    auto frame =
-        stream_.slot(track_.size, sequence, TimePoint{block.time + track_.startOffset});
+    auto frame = stream_.slot(track_.size, sequence, TimePoint{block.time + track_.startOffset});
     if (!frame) return std::nullopt;
     if (format_ == KinectColorFormat::Nv12)
         nv12ToRgba(block.payload, static_cast<std::size_t>(track_.size.width),

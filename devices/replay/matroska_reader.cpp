@@ -25,7 +25,8 @@ using namespace libmatroska;
 
 constexpr std::size_t kMostTracks = 126; // numbers that fit into the one byte that we read
 
-template <class Kind> bool is(const EbmlHead& element) {
+template<class Kind>
+bool is(const EbmlHead& element) {
     return element.id == EBML_ID(Kind).GetValue();
 }
 

@@ -30,8 +30,8 @@ struct MatroskaInfo {
     std::vector<MatroskaTrack> tracks;
     std::map<std::string, std::string> tags;
     std::map<std::string, std::vector<std::byte>> attachments; ///< by file name
-    std::uint64_t timecodeScale = 1'000'000; ///< nanoseconds per tick
-    std::uint64_t firstCluster = 0;          ///< where the blocks begin, in bytes
+    std::uint64_t timecodeScale = 1'000'000;                   ///< nanoseconds per tick
+    std::uint64_t firstCluster = 0;                            ///< where the blocks begin, in bytes
 };
 
 /// Throws DeviceError where `path` cannot be opened or is no Matroska file.

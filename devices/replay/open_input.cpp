@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::string_view kKnown = "sim:, tum:, seq:, rgbd:, FILE.mkv";
 
-template <class List> bool holds(const List& list, std::string_view what) {
+template<class List>
+bool holds(const List& list, std::string_view what) {
     return std::find(list.begin(), list.end(), what) != list.end();
 }
 

@@ -101,11 +101,10 @@ Input inputFromPictures(const Uri& uri, const std::string& kind, PictureLists li
                           const std::string& name) -> std::unique_ptr<Source> {
         if (pictures.empty()) return nullptr;
         startsAt = std::min(startsAt, pictures.front().capturedAt);
-        input.description += ", " + std::to_string(pictures.size()) + " " + name + " pictures " +
-                             text(seen);
-        return std::make_unique<PictureSource>(std::move(pictures), format,
-                                               expectedSize(input, camera, seen, name),
-                                               lists.depthUnitM);
+        input.description +=
+            ", " + std::to_string(pictures.size()) + " " + name + " pictures " + text(seen);
+        return std::make_unique<PictureSource>(
+            std::move(pictures), format, expectedSize(input, camera, seen, name), lists.depthUnitM);
     };
     input.depth = open(lists.depth, PixelFormat::Depth16, depth,
                        input.rig ? &input.rig->depth : nullptr, "depth");

@@ -105,7 +105,8 @@ PngDecoder::PngDecoder() : state_(std::make_unique<State>()) {}
 PngDecoder::~PngDecoder() = default;
 
 bool PngDecoder::recognises(std::span<const std::byte> bytes) {
-    return bytes.size() >= 8 && png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) == 0;
+    return bytes.size() >= 8 &&
+           png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) == 0;
 }
 
 ImageHeader PngDecoder::open(std::span<const std::byte> bytes) {

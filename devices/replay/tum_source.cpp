@@ -101,9 +101,11 @@ Input openTum(const Uri& uri, const std::optional<calib::SensorRig>& rig) {
     if (const std::string file = uri.value("camera"); !file.empty())
         camera = readCameraFile(file);
     else
-        camera = publishedCamera(
-            (std::filesystem::absolute(folder).lexically_normal() / "").parent_path().filename().string() +
-            color.comments + depth.comments);
+        camera = publishedCamera((std::filesystem::absolute(folder).lexically_normal() / "")
+                                     .parent_path()
+                                     .filename()
+                                     .string() +
+                                 color.comments + depth.comments);
     PictureLists lists;
     lists.depth = pictures(depth, zero);
     lists.color = pictures(color, zero);
