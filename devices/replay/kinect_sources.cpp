@@ -1,0 +1,137 @@
+#include "devices/replay/kinect_sources.hpp"
+
+#include "devices/replay/color_formats.hpp"
+
+#include <exception>
+#include <utility>
+
+namespace autostereo::devices {
+
+namespace {
+
+std::size_t pixelCount(PictureSize size) {
+    return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+}
+
+void fromBigEndian(std::span<const std::byte> from, std::span<std::uint16_t> to) {
+    for (std::size_t i = 0; i < to.size(); ++i)
+        to[i] = static_cast<std::uint16_t>(std::to_integer<unsigned>(from[2 * i]) << 8U |
+                                           std::to_integer<unsigned>(from[2 * i + 1]));
+}
+
+/// Reads blocks until `convert` makes a frame of one. Whatever it throws is a damaged picture.
+template<class Convert>
+ReadResult readFrame(MatroskaBlocks& blocks, RecordedStream& stream, const Convert& convert) {
+    for (;;) {
+        try {
+            const auto block = blocks.next();
+            if (!block) return Ended{};
+            if (auto frame = convert(*block)) return stream.deliver(std::move(*frame));
+        } catch (const std::exception&) {
+            stream.countDamaged();
+        }
+    }
+}
+
+SourceCounters total(const RecordedStream& stream, const MatroskaBlocks& blocks) {
+    SourceCounters counters = stream.counters();
+    counters.damaged += blocks.damaged();
+    return counters;
+}
+
+} // namespace
+
+KinectDepthSource::KinectDepthSource(const KinectTrack& depth,
+                                     std::optional<unsigned> infraredTrack)
+    : track_(depth), blocks_(depth.path, depth.info, depth.number),
+      stream_(PixelFormat::Depth16, depth.size) {
+    if (infraredTrack) infraredBlocks_.emplace(depth.path, depth.info, *infraredTrack);
+}
+
+bool KinectDepthSource::infraredReaches(Duration time) {
+    if (!infraredBlocks_) return false;
+    while (!infrared_ || infrared_->time < time) {
+        infrared_ = infraredBlocks_->next();
+        if (!infrared_) return false;
+    }
+    return infrared_->time == time && infrared_->payload.size() == 2 * pixelCount(track_.size);
+}
+
+std::optional<Frame> KinectDepthSource::convert(const MatroskaBlock& block) {
+    const std::uint64_t sequence = sequence_++;
+    if (block.payload.size() != 2 * pixelCount(track_.size)) {
+        stream_.countDamaged();
+        return std::nullopt;
+    }
+    const bool hasInfrared = infraredReaches(block.time);
+    auto frame = stream_.slot(track_.size, sequence, TimePoint{block.time + track_.startOffset},
+                              hasInfrared);
+    if (!frame) return std::nullopt;
+    fromBigEndian(block.payload, frame->depth());
+    if (hasInfrared) fromBigEndian(infrared_->payload, frame->amplitude());
+    return frame;
+}
+
+ReadResult KinectDepthSource::read(TimePoint /*deadline*/) noexcept {
+    return readFrame(blocks_, stream_, [this](const MatroskaBlock& b) { return convert(b); });
+}
+
+bool KinectDepthSource::rewind() noexcept {
+    blocks_.rewind();
+    if (infraredBlocks_) infraredBlocks_->rewind();
+    infrared_.reset();
+    sequence_ = 0;
+    return true;
+}
+
+SourceCounters KinectDepthSource::counters() const noexcept { return total(stream_, blocks_); }
+
+KinectColorSource::KinectColorSource(const KinectTrack& color, KinectColorFormat format)
+    : track_(color), format_(format), blocks_(color.path, color.info, color.number),
+      stream_(PixelFormat::Rgba8, color.size) {}
+
+std::optional<Frame> KinectColorSource::convertJpeg(const MatroskaBlock& block) {
+    const std::uint64_t sequence = sequence_++;
+    const ImageHeader header = jpeg_.open(block.payload);
+    auto frame = stream_.slot({header.width, header.height}, sequence,
+                              TimePoint{block.time + track_.startOffset});
+    if (frame) jpeg_.decode(frame->pixels());
+    return frame;
+}
+
+std::optional<Frame> KinectColorSource::convert(const MatroskaBlock& block) {
+    if (format_ == KinectColorFormat::Mjpg) return convertJpeg(block);
+    const std::uint64_t sequence = sequence_++;
+    const std::size_t pixels = pixelCount(track_.size);
+    const std::size_t expected = format_ == KinectColorFormat::Nv12   ? pixels * 3 / 2
+                                 : format_ == KinectColorFormat::Yuy2 ? pixels * 2
+                                                                      : pixels * 4;
+    if (block.payload.size() != expected) {
+        stream_.countDamaged();
+        return std::nullopt;
+    }
+    auto frame = stream_.slot(track_.size, sequence, TimePoint{block.time + track_.startOffset});
+    if (!frame) return std::nullopt;
+    if (format_ == KinectColorFormat::Nv12)
+        nv12ToRgba(block.payload, static_cast<std::size_t>(track_.size.width),
+                   static_cast<std::size_t>(track_.size.height), frame->pixels());
+    else if (format_ == KinectColorFormat::Yuy2)
+        yuy2ToRgba(block.payload, frame->pixels());
+    else
+        bgraToRgba(block.payload, frame->pixels());
+    return frame;
+}
+
+ReadResult KinectColorSource::read(TimePoint /*deadline*/) noexcept {
+    return readFrame(blocks_, stream_, [this](const MatroskaBlock& b) { return convert(b); });
+}
+
+bool KinectColorSource::rewind() noexcept {
+    blocks_.rewind();
+    sequence_ = 0;
+    return true;
+}
+
+SourceCounters KinectColorSource::counters() const noexcept { return total(stream_, blocks_); }
+
+} // namespace autostereo::devices

@@ -1,0 +1,77 @@
+#include "devices/uri.hpp"
+
+#include "devices/input.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <sstream>
+
+namespace autostereo::devices {
+
+namespace {
+
+bool isSchemeLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
+
+std::map<std::string, std::string> parseQuery(const std::string& uri, const std::string& text) {
+    std::map<std::string, std::string> query;
+    std::istringstream fields(text);
+    for (std::string field; std::getline(fields, field, '&');) {
+        const auto equals = field.find('=');
+        if (equals == 0 || equals == std::string::npos)
+            throw DeviceError(uri + ": '" + field + "' is no key=value");
+        if (!query.emplace(field.substr(0, equals), field.substr(equals + 1)).second)
+            throw DeviceError(uri + ": " + field.substr(0, equals) + " is given twice");
+    }
+    return query;
+}
+
+} // namespace
+
+Uri parseUri(const std::string& text) {
+    Uri uri;
+    uri.text = text;
+    const auto colon = std::find_if_not(text.begin(), text.end(), isSchemeLetter);
+    if (colon == text.begin() || colon == text.end() || *colon != ':') {
+        uri.path = text;
+        return uri;
+    }
+    uri.scheme.assign(text.begin(), colon);
+    const std::string rest(colon + 1, text.end());
+    const auto mark = rest.find('?');
+    uri.path = rest.substr(0, mark);
+    if (mark != std::string::npos) uri.query = parseQuery(text, rest.substr(mark + 1));
+    return uri;
+}
+
+void Uri::allowOnly(std::initializer_list<std::string_view> allowed) const {
+    for (const auto& entry : query) {
+        if (std::find(allowed.begin(), allowed.end(), entry.first) != allowed.end()) continue;
+        std::string names;
+        for (const std::string_view name : allowed)
+            names += (names.empty() ? "" : ", ") + std::string(name);
+        throw DeviceError(text + ": unknown key " + entry.first + " (allowed " +
+                          (names.empty() ? "none" : names) + ")");
+    }
+}
+
+double Uri::number(const std::string& key, double fallback, double lowest, double highest) const {
+    const auto found = query.find(key);
+    if (found == query.end()) return fallback;
+    const std::string& digits = found->second;
+    double result = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), result);
+    if (error == std::errc{} && end == digits.data() + digits.size() && result >= lowest &&
+        result <= highest)
+        return result;
+    char range[64];
+    std::snprintf(range, sizeof range, "%g to %g", lowest, highest);
+    throw DeviceError(text + ": " + key + " = '" + digits + "' (allowed " + range + ")");
+}
+
+std::string Uri::value(const std::string& key) const {
+    const auto found = query.find(key);
+    return found == query.end() ? std::string{} : found->second;
+}
+
+} // namespace autostereo::devices
