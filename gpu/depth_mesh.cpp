@@ -1,5 +1,7 @@
 #include "gpu/depth_mesh.hpp"
 
+#include "gpu/gl/dispatch.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -38,32 +40,28 @@ MeshLayer makeLayer(int width, int height) {
     return layer;
 }
 
-/// One invocation per element of a grid, in groups of 16 x 16 as every shader here declares.
-void dispatch(const gl::Program& program, int width, int height) {
-    program.use();
-    glDispatchCompute(static_cast<GLuint>(width + 15) / 16, static_cast<GLuint>(height + 15) / 16,
-                      1);
-}
-
 } // namespace
 
 DepthMesh::DepthMesh(const DepthMeshParams& params, const calib::SensorRig& rig)
-    : params_(params), rig_(rig), reduce_({"background_reduce.comp"}, backgroundDefine()),
+    : params_(params), rig_(rig), visibility_(params),
+      reduce_({"background_reduce.comp"}, backgroundDefine()),
       spread_({"background_spread.comp"}, backgroundDefine()), scenePoints_({"mesh_points.comp"}),
       sceneIndices_({"mesh_indices.comp"}),
       backgroundPoints_({"mesh_points.comp"}, backgroundDefine()),
       backgroundIndices_({"mesh_indices.comp"}, backgroundDefine()) {}
 
 void DepthMesh::build(const gl::Texture& depth, double depthUnitM, const SceneGeometry& geometry) {
-    if (!scene_.points.isSized(depth.width(), depth.height()))
-        resize(depth.width(), depth.height());
+    const auto& [scene, background] = layers_;
+    if (!scene.points.isSized(depth.width(), depth.height())) resize(depth.width(), depth.height());
     setBlock(depthUnitM, geometry);
     uniforms_.bind(0, block_);
-    glBindTextureUnit(0, rays_.name());
-    buildLayer(scene_, depth, scenePoints_, sceneIndices_);
+    buildPoints(scene, depth, scenePoints_);
+    buildIndices(scene, depth, sceneIndices_);
+    visibility_.hide(scene);
+    buildIndices(scene, depth, sceneIndices_);
     buildSamples(depth);
-    buildLayer(background_, samples_, backgroundPoints_, backgroundIndices_);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
+    buildPoints(background, samples_, backgroundPoints_);
+    buildIndices(background, samples_, backgroundIndices_);
 }
 
 void DepthMesh::resize(int width, int height) {
@@ -73,8 +71,7 @@ void DepthMesh::resize(int width, int height) {
     rays_ = makeRays(rig_.depth.resized(width, height));
     reduced_ = gl::Texture(GL_RGBA16UI, columns, rows);
     samples_ = gl::Texture(GL_RGBA16UI, columns, rows);
-    scene_ = makeLayer(width, height);
-    background_ = makeLayer(columns, rows);
+    layers_ = {makeLayer(width, height), makeLayer(columns, rows)};
 }
 
 void DepthMesh::setBlock(double depthUnitM, const SceneGeometry& geometry) {
@@ -97,8 +94,8 @@ void DepthMesh::setBlock(double depthUnitM, const SceneGeometry& geometry) {
 
     // The widest gap that a view can open, in background nodes: the whole budget, in panel widths,
     // over what one node covers of the panel.
-    const double pixelsPerPanel = framing.width * rig_.depth.intrinsics.fx * scene_.points.width() /
-                                  rig_.depth.intrinsics.width;
+    const double pixelsPerPanel = framing.width * rig_.depth.intrinsics.fx *
+                                  layers_.scene.points.width() / rig_.depth.intrinsics.width;
     const double reach =
         std::ceil((law.nearest - law.farthest) * pixelsPerPanel / kBackgroundStride) + 1;
     constexpr double kLongestReach = 256; // bounds the shader's loop whatever the numbers say
@@ -109,29 +106,35 @@ void DepthMesh::setBlock(double depthUnitM, const SceneGeometry& geometry) {
 
 void DepthMesh::buildSamples(const gl::Texture& depth) {
     const int columns = samples_.width(), rows = samples_.height();
+    glBindTextureUnit(0, layers_.scene.points.name());
     glBindTextureUnit(1, depth.name());
     glBindImageTexture(0, reduced_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16UI);
-    dispatch(reduce_, columns, rows);
+    gl::dispatch(reduce_, columns, rows);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     glBindTextureUnit(0, reduced_.name());
     glBindImageTexture(0, samples_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16UI);
-    dispatch(spread_, columns, rows);
+    gl::dispatch(spread_, columns, rows);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void DepthMesh::buildLayer(const MeshLayer& layer, const gl::Texture& nodes,
-                           const gl::Program& points, const gl::Program& indices) {
-    const int width = layer.points.width(), height = layer.points.height();
+void DepthMesh::buildPoints(const MeshLayer& layer, const gl::Texture& nodes,
+                            const gl::Program& points) {
     glBindTextureUnit(0, rays_.name());
     glBindTextureUnit(1, nodes.name());
     glBindImageTexture(0, layer.points.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     glBindImageTexture(1, layer.sources.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
-    dispatch(points, width, height);
+    gl::dispatch(points, layer.points.width(), layer.points.height());
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void DepthMesh::buildIndices(const MeshLayer& layer, const gl::Texture& nodes,
+                             const gl::Program& indices) {
     if (layer.indexCount == 0) return; // a single row or column spans no cell
     glBindTextureUnit(0, layer.points.name());
+    glBindTextureUnit(1, nodes.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, layer.indices.name());
-    dispatch(indices, width - 1, height - 1);
+    gl::dispatch(indices, layer.points.width() - 1, layer.points.height() - 1);
+    glMemoryBarrier(GL_ELEMENT_ARRAY_BARRIER_BIT);
 }
 
 } // namespace autostereo::gpu

@@ -13,8 +13,8 @@ struct Target {
         : color(format, width, height), depth(GL_DEPTH_COMPONENT32F, width, height),
           framebuffer(gl::makeFramebuffer(color, &depth)) {}
 
-    void clear(const PipelineParams& params) const {
-        clearTarget(framebuffer.name(), params);
+    void clear(const std::array<double, 3>& clearColor) const {
+        LayerDrawer::clear(framebuffer.name(), clearColor);
         glViewport(0, 0, color.width(), color.height());
     }
     gl::Texture color, depth;
@@ -28,9 +28,9 @@ RgbImage renderColor(const Pipeline& pipeline, const PipelineParams& params,
     gl::UniformBuffer<EyeBlock> uniforms;
     mesh.bind(0, pipeline.mesh().block());
     uniforms.bind(3, eye);
-    target.clear(params);
+    target.clear(params.clearColor);
     program.use();
-    drawer.draw(pipeline.mesh(), pipeline.color(), {1, 1, 0, 0}, 1);
+    drawer.draw(pipeline.mesh().layers(), pipeline.color(), {1, 1, 0, 0}, 1);
     return readFramebuffer(target.framebuffer.name(), target.color.width(), target.color.height());
 }
 
@@ -61,11 +61,9 @@ DepthImage renderRegisteredDepth(const Pipeline& pipeline, const PipelineParams&
     const gl::Program program({"mesh_register.vert", "mesh_register.frag"});
     const int width = rig.color.intrinsics.width, height = rig.color.intrinsics.height;
     const Target target(GL_R32F, width, height);
-    PipelineParams black = params;
-    black.clearColor = {0, 0, 0};
-    target.clear(black);
+    target.clear({0, 0, 0});
     program.use();
-    LayerDrawer(params.mesh).drawScene(pipeline.mesh());
+    LayerDrawer(params.mesh).drawScene(pipeline.mesh().layers().scene);
 
     std::vector<float> metres(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     glGetTextureImage(target.color.name(), 0, GL_RED, GL_FLOAT,

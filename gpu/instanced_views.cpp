@@ -11,15 +11,16 @@ InstancedViews::InstancedViews(const calib::DisplayProfile& display, const Pipel
       program_({"mesh_view.vert", "mesh_view.frag"}, {"TILED"}),
       positions_(makeViewPositions(display)) {}
 
-void InstancedViews::render(const DepthMesh& mesh, const gl::Texture& color, const Atlas& atlas) {
+void InstancedViews::render(const MeshLayers& layers, const gl::Texture& color,
+                            const Atlas& atlas) {
     const AtlasLayout& layout = atlas.layout();
-    clearTarget(atlas.framebuffer(), params_);
+    LayerDrawer::clear(atlas.framebuffer(), params_.clearColor);
     glViewport(0, 0, layout.width(), layout.height());
     program_.use();
     glBindTextureUnit(3, positions_.name());
     for (GLenum edge = 0; edge < kTileEdges; ++edge)
         glEnable(GL_CLIP_DISTANCE0 + edge);
-    drawer_.draw(mesh, color, {layout.quilt.columns, layout.quilt.rows, 0, 0}, layout.views);
+    drawer_.draw(layers, color, {layout.quilt.columns, layout.quilt.rows, 0, 0}, layout.views);
     for (GLenum edge = 0; edge < kTileEdges; ++edge)
         glDisable(GL_CLIP_DISTANCE0 + edge);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/gl/program.hpp"
 #include "gpu/layer_drawer.hpp"
 #include "gpu/view_synthesis.hpp"
 
@@ -11,7 +12,7 @@ class InstancedViews final : public ViewSynthesis {
   public:
     /// Throws GlError.
     InstancedViews(const calib::DisplayProfile& display, const PipelineParams& params);
-    void render(const DepthMesh& mesh, const gl::Texture& color, const Atlas& atlas) override;
+    void render(const MeshLayers& layers, const gl::Texture& color, const Atlas& atlas) override;
 
   private:
     PipelineParams params_;

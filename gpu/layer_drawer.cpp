@@ -7,15 +7,25 @@ LayerDrawer::LayerDrawer(const DepthMeshParams& params)
       // Measured along the depth camera's axis; the colour camera may see it somewhat nearer.
       nearestZ_(static_cast<float>(params.nearestM / 10)) {}
 
-void LayerDrawer::draw(const DepthMesh& mesh, const gl::Texture& color, glm::ivec4 tiles,
+void LayerDrawer::draw(const MeshLayers& layers, const gl::Texture& color, glm::ivec4 tiles,
                        int instances) {
     glBindTextureUnit(2, color.name());
-    drawLayer(mesh.scene(), tiles, {0.0F, 0.5F}, instances);
-    drawLayer(mesh.background(), tiles, {0.5F, 0.5F}, instances);
+    drawLayer(layers.scene, tiles, {0.0F, 0.5F}, instances);
+    drawLayer(layers.background, tiles, {0.5F, 0.5F}, instances);
 }
 
-void LayerDrawer::drawScene(const DepthMesh& mesh) {
-    drawLayer(mesh.scene(), {1, 1, 0, 0}, {0.0F, 1.0F}, 1);
+void LayerDrawer::drawScene(const MeshLayer& scene) {
+    drawLayer(scene, {1, 1, 0, 0}, {0.0F, 1.0F}, 1);
+}
+
+void LayerDrawer::clear(GLuint framebuffer, const std::array<double, 3>& color) {
+    const std::array<float, 4> rgba{static_cast<float>(color[0]), static_cast<float>(color[1]),
+                                    static_cast<float>(color[2]), 1.0F};
+    const float farthest = 1.0F;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, rgba.data());
+    glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &farthest);
 }
 
 void LayerDrawer::drawLayer(const MeshLayer& layer, glm::ivec4 tiles, glm::vec2 depthRange,

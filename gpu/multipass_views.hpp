@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/gl/program.hpp"
 #include "gpu/layer_drawer.hpp"
 #include "gpu/view_synthesis.hpp"
 
@@ -10,7 +11,7 @@ class MultipassViews final : public ViewSynthesis {
   public:
     /// Throws GlError.
     MultipassViews(const calib::DisplayProfile& display, const PipelineParams& params);
-    void render(const DepthMesh& mesh, const gl::Texture& color, const Atlas& atlas) override;
+    void render(const MeshLayers& layers, const gl::Texture& color, const Atlas& atlas) override;
 
   private:
     PipelineParams params_;

@@ -22,7 +22,7 @@ void Pipeline::renderAtlas(const devices::RgbdFrame& frame) {
     if (!placed_) placeScene(frame.depth);
     timed(0, [&] { uploader_.upload(frame); });
     timed(1, [&] { mesh_.build(uploader_.depth(), frame.depth.metadata().depthUnitM, geometry_); });
-    timed(2, [&] { views_->render(mesh_, uploader_.color(), atlas_); });
+    timed(2, [&] { views_->render(mesh_.layers(), uploader_.color(), atlas_); });
 }
 
 void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {

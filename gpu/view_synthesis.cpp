@@ -4,7 +4,6 @@
 #include "gpu/instanced_views.hpp"
 #include "gpu/multipass_views.hpp"
 
-#include <array>
 #include <vector>
 
 namespace autostereo::gpu {
@@ -24,17 +23,6 @@ gl::Texture makeViewPositions(const calib::DisplayProfile& display) {
     glTextureSubImage2D(texture.name(), 0, 0, 0, display.views, 1, GL_RED, GL_FLOAT,
                         positions.data());
     return texture;
-}
-
-void clearTarget(GLuint framebuffer, const PipelineParams& params) {
-    const auto& [red, green, blue] = params.clearColor;
-    const std::array<float, 4> color{static_cast<float>(red), static_cast<float>(green),
-                                     static_cast<float>(blue), 1.0F};
-    const float farthest = 1.0F;
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, color.data());
-    glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &farthest);
 }
 
 } // namespace autostereo::gpu

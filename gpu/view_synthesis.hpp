@@ -2,7 +2,7 @@
 
 #include "calib/display_profile.hpp"
 #include "gpu/atlas.hpp"
-#include "gpu/depth_mesh.hpp"
+#include "gpu/mesh_layer.hpp"
 #include "gpu/params.hpp"
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace autostereo::gpu {
 class ViewSynthesis {
   public:
     virtual ~ViewSynthesis() = default;
-    virtual void render(const DepthMesh& mesh, const gl::Texture& color, const Atlas& atlas) = 0;
+    virtual void render(const MeshLayers& layers, const gl::Texture& color, const Atlas& atlas) = 0;
 };
 
 [[nodiscard]] std::unique_ptr<ViewSynthesis> makeViewSynthesis(Method method,
@@ -23,8 +23,5 @@ class ViewSynthesis {
 
 /// Position b of every view as an R32F texture, one texel a view, left to right.
 [[nodiscard]] gl::Texture makeViewPositions(const calib::DisplayProfile& display);
-
-/// Binds and clears a target for drawing mesh layers into.
-void clearTarget(GLuint framebuffer, const PipelineParams& params);
 
 } // namespace autostereo::gpu

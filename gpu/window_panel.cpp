@@ -34,8 +34,9 @@ GLFWmonitor* chooseMonitor(int width, int height, bool force) {
                    sizeText(mode->width, mode->height);
     }
     if (force) return glfwGetPrimaryMonitor();
-    throw DisplayNotFound("window: no monitor is in the display's native mode " + sizeText(width, height) +
-                  " (found: " + offered + "): set that mode, or --force to show it all the same");
+    throw DisplayNotFound("window: no monitor is in the display's native mode " +
+                          sizeText(width, height) + " (found: " + offered +
+                          "): set that mode, or --force to show it all the same");
 }
 
 void setHints(const GLFWvidmode& mode, bool debugContext) {
@@ -76,7 +77,8 @@ std::vector<MonitorInfo> listMonitors() {
 
 WindowPanel::WindowPanel(int width, int height, bool force, bool debugContext) {
     if (!glfw_.running())
-        throw DisplayNotFound("window: cannot reach a display server: is DISPLAY or WAYLAND_DISPLAY set?");
+        throw DisplayNotFound(
+            "window: cannot reach a display server: is DISPLAY or WAYLAND_DISPLAY set?");
     GLFWmonitor* monitor = chooseMonitor(width, height, force);
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     setHints(*mode, debugContext);

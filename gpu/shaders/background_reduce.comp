@@ -1,11 +1,11 @@
 #version 450 core
-// Coarse grid behind the scene: each node takes the farthest measurement around its pixel, which
-// also steps over the mixed pixels at an edge. Output: count (0: none), source pixel.
+// Coarse grid behind the scene: each node takes the farthest visible measurement around its
+// pixel, which also steps over the mixed pixels at an edge. Output: count (0: none), source pixel.
 #include "mesh_block.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
-layout(binding = 0) uniform sampler2D rays;
+layout(binding = 0) uniform sampler2D points; // of the scene: what the colour camera sees
 layout(binding = 1) uniform usampler2D depthCounts;
 layout(rgba16ui, binding = 0) uniform writeonly uimage2D samples;
 
@@ -20,7 +20,7 @@ void main() {
             ivec2 pixel = center + ivec2(x, y);
             if (any(lessThan(pixel, ivec2(0))) || any(greaterThan(pixel, last))) continue;
             uint count = texelFetch(depthCounts, pixel, 0).x;
-            if (isMeasured(count) && count > farthest.x && texelFetch(rays, pixel, 0).x < kNoRay)
+            if (count > farthest.x && texelFetch(points, pixel, 0).w > 0.0)
                 farthest = uvec4(count, pixel, 0u);
         }
     }

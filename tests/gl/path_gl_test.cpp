@@ -3,7 +3,6 @@
 #include "tests/gl/scene_support.hpp"
 #include "tests/support/gl_fixture.hpp"
 
-
 namespace autostereo::test {
 namespace {
 
@@ -27,8 +26,11 @@ Differences compare(const gpu::RgbImage& image, const oracle::Picture& truth) {
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (std::size_t c = 0; c < 3; ++c) {
-                const auto at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                 static_cast<std::size_t>(x)) * 3 + c;
+                const auto at =
+                    (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                     static_cast<std::size_t>(x)) *
+                        3 +
+                    c;
                 const double off = std::abs(image.pixels[at] - truth.at(x, y)[c]);
                 ++found.samples;
                 found.sum += off;
@@ -51,11 +53,10 @@ TEST_P(PathGlTest, PanelAgreesWithTheOracle) {
     const gpu::gl::Texture target(GL_RGBA8, display.width, display.height);
     const gpu::gl::Framebuffer panel = gpu::gl::makeFramebuffer(target);
     pipeline.render(pair.frame, panel.name());
-    const gpu::RgbImage image =
-        gpu::readFramebuffer(panel.name(), display.width, display.height);
+    const gpu::RgbImage image = gpu::readFramebuffer(panel.name(), display.width, display.height);
 
-    const auto tiles = oracleTiles(oracleInput(pair, pipeline, params),
-                                   colorPicture(pair.frame.color), display);
+    const auto tiles =
+        oracleTiles(oracleInput(pair, pipeline, params), colorPicture(pair.frame.color), display);
     const oracle::Picture truth =
         oracle::interleave(display, tiles, display.width, display.height, GetParam().filter);
     const Differences found = compare(image, truth);

@@ -74,7 +74,7 @@ inline std::vector<oracle::Picture> oracleTiles(const oracle::MeshInput& mesh,
                                                 const calib::DisplayProfile& display) {
     const oracle::Layer scene = oracle::sceneLayer(mesh);
     const oracle::Layer background =
-        oracle::backgroundLayer(mesh, gpu::DepthMesh::kBackgroundStride);
+        oracle::backgroundLayer(mesh, scene, gpu::DepthMesh::kBackgroundStride);
     std::vector<oracle::Picture> tiles;
     for (int view = 0; view < display.views; ++view) {
         const double b = (2.0 * view + 1) / display.views - 1;

@@ -3,9 +3,11 @@
 #include "calib/sensor_rig.hpp"
 #include "gpu/scene_geometry.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -101,13 +103,8 @@ void addTriangles(Layer& layer, Drawn drawn) {
         }
 }
 
-inline Layer sceneLayer(const MeshInput& in) {
-    Layer layer{in.depth.width, in.depth.height, {}, {}};
-    for (int y = 0; y < layer.height; ++y)
-        for (int x = 0; x < layer.width; ++x) {
-            const std::uint32_t count = in.depth.at(x, y);
-            layer.nodes.push_back(measured(in, count) ? node(in, x, y, count, x, y) : std::nullopt);
-        }
+inline void addSceneTriangles(const MeshInput& in, Layer& layer) {
+    layer.triangles.clear();
     addTriangles(layer, [&](const std::array<int, 3>& corners) {
         std::uint32_t nearest = 65535, farthest = 0;
         for (const int corner : corners) {
@@ -117,6 +114,61 @@ inline Layer sceneLayer(const MeshInput& in) {
         }
         return !cutBetween(in, nearest, farthest);
     });
+}
+
+/// Nearest depth at the colour camera on a picture of the depth grid's size; infinity: none.
+inline std::vector<double> registeredDepth(const Layer& layer) {
+    std::vector<double> nearest(layer.nodes.size(), std::numeric_limits<double>::infinity());
+    for (const auto& corners : layer.triangles) {
+        std::array<const Node*, 3> n{};
+        for (std::size_t i = 0; i < 3; ++i)
+            n[i] = &*layer.nodes[static_cast<std::size_t>(corners[i])];
+        const auto x = [&](std::size_t i) { return n[i]->s * layer.width; };
+        const auto y = [&](std::size_t i) { return n[i]->t * layer.height; };
+        const double area = (x(1) - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (y(1) - y(0));
+        const auto [left, right] = std::minmax({x(0), x(1), x(2)});
+        const auto [top, bottom] = std::minmax({y(0), y(1), y(2)});
+        for (int j = std::max(0, static_cast<int>(top)); j < layer.height && j <= bottom; ++j)
+            for (int i = std::max(0, static_cast<int>(left)); i < layer.width && i <= right; ++i) {
+                double inverse = 0;
+                bool inside = area != 0;
+                for (std::size_t k = 0; k < 3 && inside; ++k) {
+                    const std::size_t p = (k + 1) % 3, q = (k + 2) % 3;
+                    const double weight = ((x(p) - i - 0.5) * (y(q) - j - 0.5) -
+                                           (x(q) - i - 0.5) * (y(p) - j - 0.5)) /
+                                          area;
+                    inside = weight >= 0;
+                    inverse += weight / n[k]->z;
+                }
+                double& best = nearest[static_cast<std::size_t>(j * layer.width + i)];
+                if (inside) best = std::min(best, 1 / inverse);
+            }
+    }
+    return nearest;
+}
+
+/// Nodes that the colour camera cannot see go.
+inline void hideFromColor(const MeshInput& in, Layer& layer) {
+    const std::vector<double> nearest = registeredDepth(layer);
+    for (auto& node : layer.nodes) {
+        if (!node) continue;
+        const double i = std::floor(node->s * layer.width), j = std::floor(node->t * layer.height);
+        if (i < 0 || j < 0 || i >= layer.width || j >= layer.height) continue;
+        const double front = nearest[static_cast<std::size_t>(j * layer.width + i)];
+        if (node->z > front * (1 + in.params.cutRatio)) node.reset();
+    }
+}
+
+inline Layer sceneLayer(const MeshInput& in) {
+    Layer layer{in.depth.width, in.depth.height, {}, {}};
+    for (int y = 0; y < layer.height; ++y)
+        for (int x = 0; x < layer.width; ++x) {
+            const std::uint32_t count = in.depth.at(x, y);
+            layer.nodes.push_back(measured(in, count) ? node(in, x, y, count, x, y) : std::nullopt);
+        }
+    addSceneTriangles(in, layer);
+    hideFromColor(in, layer);
+    addSceneTriangles(in, layer);
     return layer;
 }
 
@@ -126,15 +178,15 @@ struct Sample {
     int x = 0, y = 0;
 };
 
-inline Sample farthestAround(const MeshInput& in, int centerX, int centerY, int stride) {
-    const calib::CameraModel camera = in.rig.depth.resized(in.depth.width, in.depth.height);
+inline Sample farthestAround(const MeshInput& in, const Layer& scene, int centerX, int centerY,
+                             int stride) {
     Sample best;
     for (int y = centerY - stride; y <= centerY + stride; ++y)
         for (int x = centerX - stride; x <= centerX + stride; ++x) {
             if (x < 0 || y < 0 || x >= in.depth.width || y >= in.depth.height) continue;
             const std::uint32_t count = in.depth.at(x, y);
-            if (measured(in, count) && count > best.count && camera.unproject({x, y}))
-                best = {count, x, y};
+            const auto at = static_cast<std::size_t>(y * scene.width + x);
+            if (count > best.count && scene.nodes[at]) best = {count, x, y};
         }
     return best;
 }
@@ -154,7 +206,7 @@ inline std::pair<Sample, int> across(const MeshInput& in, const std::vector<Samp
     return {{}, 1 << 20};
 }
 
-inline Layer backgroundLayer(const MeshInput& in, int stride) {
+inline Layer backgroundLayer(const MeshInput& in, const Layer& scene, int stride) {
     const int columns = (in.depth.width + stride - 2) / stride + 1;
     const int rows = (in.depth.height + stride - 2) / stride + 1;
     const double pixelsPerPanel =
@@ -170,7 +222,8 @@ inline Layer backgroundLayer(const MeshInput& in, int stride) {
         const int y = std::min(j * stride, in.depth.height - 1);
         std::vector<Sample> row;
         for (int i = 0; i < columns; ++i)
-            row.push_back(farthestAround(in, std::min(i * stride, in.depth.width - 1), y, stride));
+            row.push_back(
+                farthestAround(in, scene, std::min(i * stride, in.depth.width - 1), y, stride));
         for (int i = 0; i < columns; ++i) {
             const int x = std::min(i * stride, in.depth.width - 1);
             const Sample own = row[static_cast<std::size_t>(i)];
