@@ -48,7 +48,7 @@ class DepthMesh {
     gl::Program scenePoints_, sceneIndices_;
     gl::Program backgroundPoints_, backgroundIndices_;
     gl::Texture rays_;              ///< RG32F: x/z, y/z of each depth pixel
-    gl::Texture reduced_, samples_; ///< RGBA16UI: count, source pixel x, y
+    gl::Texture reduced_, samples_; ///< RGBA16UI: count, source pixel x, y, measured
     MeshLayers layers_;
 };
 

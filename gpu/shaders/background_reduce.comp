@@ -1,6 +1,7 @@
 #version 450 core
 // Coarse grid behind the scene: each node takes the farthest visible measurement around its
-// pixel, which also steps over the mixed pixels at an edge. Output: count (0: none), source pixel.
+// pixel, which also steps over the mixed pixels at an edge. Output: count (0: none), source pixel, and whether
+// anything was measured: what is measured but hidden has a surface, yet no colour of its own.
 #include "mesh_block.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -20,8 +21,9 @@ void main() {
             ivec2 pixel = center + ivec2(x, y);
             if (any(lessThan(pixel, ivec2(0))) || any(greaterThan(pixel, last))) continue;
             uint count = texelFetch(depthCounts, pixel, 0).x;
+            farthest.w = isMeasured(count) ? 1u : farthest.w;
             if (count > farthest.x && texelFetch(points, pixel, 0).w > 0.0)
-                farthest = uvec4(count, pixel, 0u);
+                farthest.xyz = uvec3(count, pixel);
         }
     }
     imageStore(samples, node, farthest);

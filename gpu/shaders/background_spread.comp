@@ -1,7 +1,8 @@
 #version 450 core
 // What a view uncovers beside a near object is the surface across its edge: each node takes the
 // nearest node of its row that lies a cut farther away, within the reach of the disparity budget;
-// a node without depth takes the farther of its neighbours, else the far limit in its own colour.
+// a node without depth takes that of the farther of its neighbours, else the far limit; where
+// nothing was measured (not merely hidden) it keeps its own colour, which the camera did see.
 #include "mesh_block.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -38,7 +39,8 @@ void main() {
     bool rightNearer = steps[1] < steps[0] || (steps[1] == steps[0] && rightFarther);
     uvec4 across = (own.x == 0u ? rightFarther : rightNearer) ? found[1] : found[0];
     uvec4 chosen = across.x > 0u ? across : own;
-    if (chosen.x == 0u)
-        chosen = uvec4(counts.y, min(node * BACKGROUND, textureSize(depthCounts, 0) - 1), 0u);
+    uvec2 ownPixel = uvec2(min(node * BACKGROUND, textureSize(depthCounts, 0) - 1));
+    if (chosen.x == 0u) chosen = uvec4(counts.y, ownPixel, 0u);
+    if (own.w == 0u) chosen.yz = ownPixel;
     imageStore(samples, node, chosen);
 }

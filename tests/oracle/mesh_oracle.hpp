@@ -176,6 +176,7 @@ inline Layer sceneLayer(const MeshInput& in) {
 struct Sample {
     std::uint32_t count = 0; ///< 0: none
     int x = 0, y = 0;
+    bool measured = false; ///< something was, visible or hidden
 };
 
 inline Sample farthestAround(const MeshInput& in, const Layer& scene, int centerX, int centerY,
@@ -186,7 +187,8 @@ inline Sample farthestAround(const MeshInput& in, const Layer& scene, int center
             if (x < 0 || y < 0 || x >= in.depth.width || y >= in.depth.height) continue;
             const std::uint32_t count = in.depth.at(x, y);
             const auto at = static_cast<std::size_t>(y * scene.width + x);
-            if (count > best.count && scene.nodes[at]) best = {count, x, y};
+            best.measured = best.measured || measured(in, count);
+            if (count > best.count && scene.nodes[at]) best = {count, x, y, true};
         }
     return best;
 }
@@ -236,6 +238,7 @@ inline Layer backgroundLayer(const MeshInput& in, const Layer& scene, int stride
             Sample chosen = takeRight ? right : left;
             if (chosen.count == 0) chosen = own;
             if (chosen.count == 0) chosen = {farCount, x, y};
+            if (!own.measured) chosen = {chosen.count, x, y};
             layer.nodes.push_back(node(in, x, y, chosen.count, chosen.x, chosen.y));
         }
     }
