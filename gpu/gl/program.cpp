@@ -30,7 +30,9 @@ std::string numbered(const std::string& source) {
 template<class Read>
 std::string infoLog(GLuint name, GLint length, Read read) {
     std::string text(static_cast<std::size_t>(std::max(length, 1)), '\0');
-    read(name, length, nullptr, text.data());
+    GLsizei written = 0; // without the closing zero that `length` counts
+    read(name, length, &written, text.data());
+    text.resize(static_cast<std::size_t>(written));
     return text;
 }
 

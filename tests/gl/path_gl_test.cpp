@@ -63,12 +63,15 @@ TEST_P(PathGlTest, PanelAgreesWithTheOracle) {
     const auto share = [&](std::size_t count) {
         return 100.0 * static_cast<double>(count) / static_cast<double>(found.samples);
     };
-    RecordProperty("mean", std::to_string(found.sum / static_cast<double>(found.samples)));
     std::printf("%s: mean %.4f, max %.0f, over 1/255: %.4f %%, over 16/255: %.4f %%\n",
                 GetParam().name, found.sum / static_cast<double>(found.samples), found.largest,
                 share(found.overOne), share(found.overSixteen));
-    EXPECT_LE(share(found.overSixteen), 0.1);
-    EXPECT_LE(share(found.overOne), 5.0);
+    // One level: atlas and panel round to 8 bits each and the colour is filtered with 8-bit
+    // weights. More, at silhouettes only: the rasteriser snaps corners to 1/256 pixel, so a pixel
+    // centre that close to an edge may fall to the other surface, and a node that close to the edge
+    // of what the colour camera sees may be kept or not (measured: 0.025 % and 0.011 % at most).
+    EXPECT_LE(share(found.overOne), 0.1);
+    EXPECT_LE(share(found.overSixteen), 0.03);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,0 +1,58 @@
+// The C++ structs of uniform blocks lie in memory as the driver lays out the shaders' blocks.
+
+#include "gpu/blocks.hpp"
+#include "gpu/gl/program.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <cstddef>
+
+namespace autostereo::test {
+namespace {
+
+GLint offsetOf(const gpu::gl::Program& program, const char* member) {
+    const GLuint index = glGetProgramResourceIndex(program.name(), GL_UNIFORM, member);
+    if (index == GL_INVALID_INDEX) return -1;
+    const GLenum property = GL_OFFSET;
+    GLint offset = -1;
+    glGetProgramResourceiv(program.name(), GL_UNIFORM, index, 1, &property, 1, nullptr, &offset);
+    return offset;
+}
+
+class BlocksGlTest : public GlTest {};
+
+TEST_F(BlocksGlTest, MeshBlock) {
+    const gpu::gl::Program program({"mesh_points.comp"});
+    EXPECT_EQ(offsetOf(program, "colorFromDepth"), offsetof(gpu::MeshBlock, colorFromDepth));
+    EXPECT_EQ(offsetOf(program, "colorPinhole"), offsetof(gpu::MeshBlock, colorPinhole));
+    EXPECT_EQ(offsetOf(program, "colorSize"), offsetof(gpu::MeshBlock, colorSize));
+    EXPECT_EQ(offsetOf(program, "colorRadial"), offsetof(gpu::MeshBlock, colorRadial));
+    EXPECT_EQ(offsetOf(program, "colorRational"), offsetof(gpu::MeshBlock, colorRational));
+    EXPECT_EQ(offsetOf(program, "framing"), offsetof(gpu::MeshBlock, framing));
+    EXPECT_EQ(offsetOf(program, "law"), offsetof(gpu::MeshBlock, law));
+    EXPECT_EQ(offsetOf(program, "budget"), offsetof(gpu::MeshBlock, budget));
+    EXPECT_EQ(offsetOf(program, "counts"), offsetof(gpu::MeshBlock, counts));
+}
+
+TEST_F(BlocksGlTest, ViewsBlock) {
+    const gpu::gl::Program program({"mesh_view.vert", "mesh_view.frag"});
+    EXPECT_EQ(offsetOf(program, "tiles"), offsetof(gpu::ViewsBlock, tiles));
+    EXPECT_EQ(offsetOf(program, "range"), offsetof(gpu::ViewsBlock, range));
+}
+
+TEST_F(BlocksGlTest, InterleaverBlock) {
+    const gpu::gl::Program program({"full_screen.vert", "interleaver.frag"});
+    EXPECT_EQ(offsetOf(program, "fan"), offsetof(gpu::InterleaverBlock, fan));
+    EXPECT_EQ(offsetOf(program, "tiles"), offsetof(gpu::InterleaverBlock, tiles));
+    EXPECT_EQ(offsetOf(program, "panel"), offsetof(gpu::InterleaverBlock, panel));
+}
+
+TEST_F(BlocksGlTest, EyeBlock) {
+    const gpu::gl::Program eye({"mesh_eye.vert", "mesh_view.frag"});
+    EXPECT_EQ(offsetOf(eye, "eye"), offsetof(gpu::EyeBlock, eye));
+    EXPECT_EQ(offsetOf(eye, "form"), offsetof(gpu::EyeBlock, form));
+    const gpu::gl::Program camera({"mesh_camera.vert", "mesh_view.frag"});
+    EXPECT_EQ(offsetOf(camera, "offset"), offsetof(gpu::EyeBlock, eye));
+}
+
+} // namespace
+} // namespace autostereo::test

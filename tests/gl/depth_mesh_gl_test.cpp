@@ -1,0 +1,134 @@
+// Mesh layers on the GPU against double precision, and the pixel classes that real sensors give.
+
+#include "devices/frame_pool.hpp"
+#include "tests/gl/scene_support.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace autostereo::test {
+namespace {
+
+std::vector<glm::vec4> readPoints(const gpu::MeshLayer& layer) {
+    std::vector<glm::vec4> points(static_cast<std::size_t>(layer.points.width()) *
+                                  static_cast<std::size_t>(layer.points.height()));
+    glGetTextureImage(layer.points.name(), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(points.size() * sizeof(glm::vec4)), points.data());
+    return points;
+}
+
+std::size_t drawnTriangles(const gpu::MeshLayer& layer) {
+    std::vector<GLuint> indices(static_cast<std::size_t>(layer.indexCount));
+    glGetNamedBufferSubData(layer.indices.name(), 0,
+                            static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)),
+                            indices.data());
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < indices.size(); i += 3)
+        if (indices[i] != indices[i + 1]) ++drawn;
+    return drawn;
+}
+
+class DepthMeshGlTest : public GlTest {
+  protected:
+    /// A frame of one depth, `counts` long, in front of a grey colour picture.
+    void render(int width, int height, const std::vector<std::uint16_t>& counts) {
+        frame_.depth = *pool_.acquire({devices::PixelFormat::Depth16, width, height});
+        frame_.color = *pool_.acquire({devices::PixelFormat::Rgba8, 64, 48});
+        std::copy(counts.begin(), counts.end(), frame_.depth.depth().begin());
+        std::fill(frame_.color.pixels().begin(), frame_.color.pixels().end(), std::byte{90});
+        const calib::SensorRig rig = devices::sim::simulatedRig(width, height, 64, 48);
+        pipeline_ = std::make_unique<gpu::Pipeline>(params_, rig, display_, 96, 128);
+        pipeline_->renderAtlas(frame_);
+    }
+    [[nodiscard]] const gpu::MeshLayers& layers() const { return pipeline_->mesh().layers(); }
+
+    gpu::PipelineParams params_;
+    calib::DisplayProfile display_ = smallLensDisplay(2, 1, 48, 64);
+    devices::FramePool pool_{4};
+    devices::RgbdFrame frame_;
+    std::unique_ptr<gpu::Pipeline> pipeline_;
+};
+
+/// Float against double: u, v and the texture coordinate come from a few dozen operations on
+/// values near one, so some 1e-6; the texture coordinate goes through the distortion polynomial.
+TEST_F(DepthMeshGlTest, NodesAgreeWithTheOracle) {
+    const SimulatedPair pair = simulate("sim:room?depth=176x144&color=640x360");
+    gpu::Pipeline pipeline(params_, pair.rig, display_, 96, 128);
+    pipeline.renderAtlas(pair.frame);
+    const oracle::MeshInput input = oracleInput(pair, pipeline, params_);
+    const oracle::Layer scene = oracle::sceneLayer(input);
+    const auto points = readPoints(pipeline.mesh().layers().scene);
+    std::size_t presence = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto& node = scene.nodes[i];
+        if (node.has_value() != (points[i].w > 0)) {
+            ++presence;
+            continue;
+        }
+        if (!node) continue;
+        ASSERT_NEAR(points[i].x, node->u, 4e-6);
+        ASSERT_NEAR(points[i].y, node->v, 4e-6);
+        ASSERT_NEAR(points[i].z, node->d, 1e-6);
+        ASSERT_NEAR(points[i].w, node->z, 2e-6);
+    }
+    // Whether the colour camera sees a node is read off a raster: at a silhouette the raster of
+    // the GPU, which snaps corners to 1/256 pixel, may cover one pixel more or less.
+    EXPECT_LE(presence, points.size() / 1000);
+    const auto background = readPoints(pipeline.mesh().layers().background);
+    const oracle::Layer behind =
+        oracle::backgroundLayer(input, scene, gpu::DepthMesh::kBackgroundStride);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < background.size(); ++i)
+        if (std::abs(background[i].w - behind.nodes[i].value_or(oracle::Node{}).z) > 2e-6)
+            ++different;
+    EXPECT_LE(different, background.size() / 100) << "follows from the nodes above";
+}
+
+TEST_F(DepthMeshGlTest, AStepIsCutAndASlopeIsNot) {
+    constexpr int kWidth = 32, kHeight = 8;
+    std::vector<std::uint16_t> step, slope;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            step.push_back(x < kWidth / 2 ? 1000 : 1051); // 5.1 % against a cut of 5 %
+            slope.push_back(static_cast<std::uint16_t>(1000 + 40 * x));
+        }
+    render(kWidth, kHeight, slope);
+    const std::size_t whole = 2 * (kWidth - 1) * (kHeight - 1);
+    EXPECT_EQ(drawnTriangles(layers().scene), whole);
+    params_.mesh.farthestM = 10;
+    render(kWidth, kHeight, step);
+    // One column of cells bridges the step; the farther side next to it may also be hidden from
+    // the colour camera, which stands to one side.
+    EXPECT_LE(drawnTriangles(layers().scene), whole - 2 * (kHeight - 1));
+    EXPECT_GE(drawnTriangles(layers().scene), whole - 2 * 4 * (kHeight - 1));
+}
+
+TEST_F(DepthMeshGlTest, NoMeasurementMakesNoNodeButABackground) {
+    for (const int count : {0, 65535, 1, 60000}) {
+        render(20, 13, std::vector<std::uint16_t>(20 * 13, static_cast<std::uint16_t>(count)));
+        EXPECT_EQ(drawnTriangles(layers().scene), 0U) << count;
+        EXPECT_GT(drawnTriangles(layers().background), 0U) << count;
+    }
+}
+
+/// Grids down to one pixel, all kinds of values: every output stays finite.
+TEST_F(DepthMeshGlTest, AnyGridAndAnyValueStaysFinite) {
+    std::mt19937 random(11);
+    constexpr std::array<std::uint16_t, 8> kValues{0, 1, 149, 150, 1000, 9999, 65534, 65535};
+    constexpr std::array<std::array<int, 2>, 6> kSizes{
+        {{1, 1}, {1, 9}, {9, 1}, {2, 2}, {5, 4}, {37, 23}}};
+    for (const auto& [width, height] : kSizes) {
+        std::vector<std::uint16_t> counts;
+        for (int i = 0; i < width * height; ++i)
+            counts.push_back(kValues[random() % 8]);
+        render(width, height, counts);
+        for (const gpu::MeshLayer* layer : {&layers().scene, &layers().background})
+            for (const glm::vec4& point : readPoints(*layer))
+                ASSERT_TRUE(std::isfinite(point.x + point.y + point.z + point.w));
+    }
+}
+
+} // namespace
+} // namespace autostereo::test

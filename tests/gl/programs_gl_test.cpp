@@ -1,0 +1,52 @@
+// Every program with every set of defines that the passes use compiles and links.
+
+#include "gpu/gl/program.hpp"
+#include "tests/support/gl_fixture.hpp"
+
+namespace autostereo::test {
+namespace {
+
+struct Variant {
+    std::vector<std::string> shaders;
+    std::vector<std::string> defines;
+};
+
+class ProgramsGlTest : public GlTest, public testing::WithParamInterface<Variant> {};
+
+TEST_P(ProgramsGlTest, Links) {
+    EXPECT_NO_THROW(gpu::gl::Program(GetParam().shaders, GetParam().defines));
+}
+
+const std::vector<std::string> kBackground{"BACKGROUND 4"};
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ProgramsGlTest,
+    testing::Values(Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_points.comp"}, kBackground},
+                    Variant{{"mesh_indices.comp"}, {}}, Variant{{"mesh_indices.comp"}, kBackground},
+                    Variant{{"background_reduce.comp"}, kBackground},
+                    Variant{{"background_spread.comp"}, kBackground},
+                    Variant{{"color_visibility.comp"}, {}},
+                    Variant{{"mesh_view.vert", "mesh_view.frag"}, {}},
+                    Variant{{"mesh_view.vert", "mesh_view.frag"}, {"TILED"}},
+                    Variant{{"mesh_eye.vert", "mesh_view.frag"}, {}},
+                    Variant{{"mesh_camera.vert", "mesh_view.frag"}, {}},
+                    Variant{{"mesh_register.vert", "mesh_register.frag"}, {}},
+                    Variant{{"full_screen.vert", "interleaver.frag"}, {}},
+                    Variant{{"full_screen.vert", "interleaver.frag"}, {"NEAREST"}}));
+
+class ProgramGlTest : public GlTest {};
+
+TEST_F(ProgramGlTest, AFaultNamesTheShaderAndShowsItsLines) {
+    try {
+        const gpu::gl::Program program({"mesh_points.comp"}, {"imageStore missingFunction"});
+        FAIL() << "a shader with an unknown function linked";
+    } catch (const gpu::GlError& error) {
+        forgiveErrors();
+        const std::string what = error.what();
+        EXPECT_NE(what.find("mesh_points.comp"), std::string::npos) << what;
+        EXPECT_NE(what.find("2: #define imageStore missingFunction"), std::string::npos) << what;
+    }
+}
+
+} // namespace
+} // namespace autostereo::test
