@@ -1,6 +1,9 @@
 #include "config/load.hpp"
+#include "config/phrases.hpp"
 #include "config/text_file.hpp"
 #include "config/toml_reader.hpp"
+#include "devices/input.hpp"
+#include "devices/replay/calibration_files.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -71,9 +74,19 @@ calib::SensorRig readRig(const std::string& name, std::string_view text) {
     return rig;
 }
 
+/// camera.json is read where recordings are, which carry it too.
+calib::SensorRig readCameraJson(const std::filesystem::path& file) {
+    try {
+        return devices::readCameraFile(file).rig();
+    } catch (const devices::DeviceError& error) {
+        throw ConfigError(oneLine(error.what()));
+    }
+}
+
 } // namespace
 
 calib::SensorRig loadRig(const std::filesystem::path& file) {
+    if (file.extension() == ".json") return readCameraJson(file);
     return readRig(file.string(), readTextFile(file));
 }
 

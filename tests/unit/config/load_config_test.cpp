@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
+#include <string>
 
 using namespace std::chrono_literals;
 
@@ -148,11 +150,12 @@ TEST_F(LoadConfig, malformedSaysWhatAndWhere) {
 }
 
 TEST_F(LoadConfig, kindOfGoesByContent) {
-    const std::string source = AUTOSTEREO_SOURCE_DIR "/config/";
-    EXPECT_EQ(kindOf(source + "default.toml"), FileKind::Config);
-    EXPECT_EQ(kindOf(source + "rigs/example.toml"), FileKind::Rig);
+    const std::filesystem::path source = AUTOSTEREO_SOURCE_DIR "/config";
+    const std::filesystem::path displays = source / "displays";
+    EXPECT_EQ(kindOf(source / "default.toml"), FileKind::Config);
+    EXPECT_EQ(kindOf(source / "rigs/example.toml"), FileKind::Rig);
     for (const std::string& name : displayNames())
-        EXPECT_EQ(kindOf(source + "displays/" + name + ".toml"), FileKind::Display) << name;
+        EXPECT_EQ(kindOf(displays / (name + ".toml")), FileKind::Display) << name;
     EXPECT_EQ(kindOf("camera.json"), FileKind::Rig);
     write("empty.toml", "");
     EXPECT_EQ(kindOf("empty.toml"), FileKind::Config);

@@ -1,6 +1,8 @@
 #include "config/load.hpp"
+#include "tests/support/data.hpp"
 #include "tests/unit/config/temp_folder.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -74,6 +76,22 @@ TEST_F(LoadRig, exampleIsAWorkingRig) {
     // The colour camera sits 32 mm to the right of the depth camera.
     EXPECT_EQ(rig.colorFromDepth.inverse() * glm::dvec3(0), glm::dvec3(0.032, 0, 0));
     EXPECT_FALSE(rig.provenance.empty());
+}
+
+TEST_F(LoadRig, cameraJsonIsARigToo) {
+    AUTOSTEREO_NEED_DATA("k4a-mug/camera.json");
+    const calib::SensorRig rig = loadRig(test::dataDir() / "k4a-mug/camera.json");
+    EXPECT_EQ(rig.depth.intrinsics.width, 640);
+    EXPECT_EQ(rig.color.intrinsics.fx, 611.7953491210938);
+    EXPECT_EQ(rig.colorFromDepth.translation.x, -0.032083429396152496);
+}
+
+TEST_F(LoadRig, malformedJsonIsAConfigError) {
+    write("camera.json", "{ \"depth\": { \"width\": 0 } }");
+    EXPECT_THAT(test::messageOf<ConfigError>([] { (void)loadRig("camera.json"); }),
+                ::testing::StartsWith("camera.json: depth.width: "));
+    EXPECT_THAT(test::messageOf<ConfigError>([] { (void)loadRig("no.json"); }),
+                ::testing::HasSubstr("no.json: No such file or directory"));
 }
 
 struct Malformed {
