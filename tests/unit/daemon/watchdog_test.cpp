@@ -57,29 +57,32 @@ TEST(Watchdog, SaysReadyThenAliveAtHalfTheTimeThenStopping) {
     const NotifySocket manager;
     setenv("WATCHDOG_USEC", "2000000", 1);
     test::FakeClock clock;
-    {
-        daemon::Watchdog watchdog(clock);
-        EXPECT_EQ(manager.receive(), "READY=1");
-        watchdog.pet();
-        clock.advance(999ms);
-        watchdog.pet();
-        EXPECT_EQ(manager.receive(), "");
-        clock.advance(1ms);
-        watchdog.pet();
-        watchdog.pet();
-        EXPECT_EQ(manager.receive(), "WATCHDOG=1");
-        EXPECT_EQ(manager.receive(), "");
-        clock.advance(1s);
-        watchdog.pet();
-        EXPECT_EQ(manager.receive(), "WATCHDOG=1");
-    }
+    daemon::Watchdog watchdog(clock);
+    EXPECT_EQ(manager.receive(), "");
+    clock.advance(5s); // building the pipeline takes its time
+    watchdog.ready();
+    EXPECT_EQ(manager.receive(), "READY=1");
+    clock.advance(999ms);
+    watchdog.pet();
+    EXPECT_EQ(manager.receive(), "");
+    clock.advance(1ms);
+    watchdog.pet();
+    watchdog.pet();
+    EXPECT_EQ(manager.receive(), "WATCHDOG=1");
+    EXPECT_EQ(manager.receive(), "");
+    clock.advance(1s);
+    watchdog.pet();
+    EXPECT_EQ(manager.receive(), "WATCHDOG=1");
+    watchdog.stopping();
     EXPECT_EQ(manager.receive(), "STOPPING=1");
+    EXPECT_EQ(manager.receive(), "");
 }
 
 TEST(Watchdog, IsNotPettedWhereNobodyWatches) {
     const NotifySocket manager;
     test::FakeClock clock;
     daemon::Watchdog watchdog(clock);
+    watchdog.ready();
     EXPECT_EQ(manager.receive(), "READY=1");
     clock.advance(1h);
     watchdog.pet();
@@ -90,8 +93,10 @@ TEST(Watchdog, DoesNothingWithoutASocket) {
     unsetenv("NOTIFY_SOCKET");
     test::FakeClock clock;
     daemon::Watchdog watchdog(clock);
+    watchdog.ready();
     clock.advance(1h);
     watchdog.pet();
+    watchdog.stopping();
 }
 
 } // namespace
