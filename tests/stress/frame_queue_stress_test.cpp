@@ -1,0 +1,108 @@
+// One writer and one reader at full speed. Every element carries its number and a checksum, so a
+// torn, repeated or overtaken one is seen; the accounts must balance at the end.
+#include "devices/frame_queue.hpp"
+#include "tests/stress/campaign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <thread>
+
+using autostereo::devices::FrameQueue;
+
+namespace {
+
+/// Small, but of several words: a copy while it is written would show.
+struct Element {
+    explicit Element(std::uint64_t n) : number(n) {
+        for (std::size_t i = 0; i < words.size(); ++i)
+            words[i] = mixed(n + i);
+    }
+    static std::uint64_t mixed(std::uint64_t x) { return (x ^ x >> 31) * 0x9e3779b97f4a7c15U; }
+    [[nodiscard]] bool whole() const {
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (words[i] != mixed(number + i)) return false;
+        return true;
+    }
+
+    std::uint64_t number;
+    std::array<std::uint64_t, 4> words{};
+};
+
+/// How a thread behaves: it rests now and then, so that all fillings of the queue occur.
+struct Pace {
+    unsigned restOneIn; ///< 0: never
+    void rest(std::mt19937& random) const {
+        if (restOneIn != 0 && random() % restOneIn == 0) std::this_thread::yield();
+    }
+};
+
+struct Seen {
+    std::uint64_t taken = 0;
+    std::uint64_t torn = 0;
+    std::uint64_t disordered = 0;
+    std::uint64_t last = 0;
+
+    void look(const Element& element) {
+        ++taken;
+        torn += element.whole() ? 0 : 1;
+        disordered += element.number > last ? 0 : 1;
+        last = element.number;
+    }
+};
+
+template<std::size_t Capacity>
+void stress(std::uint64_t elements, Pace writerPace, Pace readerPace) {
+    FrameQueue<Element, Capacity> queue;
+    std::atomic<bool> done{false};
+    std::jthread writer([&] {
+        std::mt19937 random(1);
+        for (std::uint64_t i = 1; i <= elements; ++i) {
+            queue.push(Element(i));
+            writerPace.rest(random);
+        }
+        done = true;
+    });
+    std::mt19937 random(2);
+    Seen seen;
+    while (!done) {
+        if (const auto element = queue.take()) seen.look(*element);
+        readerPace.rest(random);
+    }
+    const std::uint64_t left = queue.size();
+    std::uint64_t leftTaken = 0;
+    for (; const auto element = queue.take(); ++leftTaken)
+        seen.look(*element);
+
+    EXPECT_EQ(seen.torn, 0U);
+    EXPECT_EQ(seen.disordered, 0U);
+    EXPECT_EQ(seen.last, elements); // the newest always gets through
+    EXPECT_EQ(left, leftTaken);
+    EXPECT_EQ(queue.pushed(), elements);
+    EXPECT_EQ(queue.taken(), seen.taken);
+    EXPECT_EQ(queue.pushed(), queue.taken() + queue.dropped());
+    EXPECT_GT(queue.taken(), 2U);
+    testing::Test::RecordProperty("taken", std::to_string(queue.taken()));
+    std::printf("capacity %zu: %llu pushed, %llu taken, %llu dropped\n", Capacity,
+                static_cast<unsigned long long>(queue.pushed()),
+                static_cast<unsigned long long>(queue.taken()),
+                static_cast<unsigned long long>(queue.dropped()));
+}
+
+using autostereo::test::campaign;
+
+TEST(FrameQueueStress, BothAtFullSpeed) { stress<4>(campaign(10'000'000, 200'000'000), {0}, {0}); }
+
+TEST(FrameQueueStress, OfTheSmallestCapacity) {
+    stress<1>(campaign(1'000'000, 50'000'000), {64}, {64});
+}
+
+TEST(FrameQueueStress, WriterRests) { stress<3>(campaign(1'000'000, 50'000'000), {2}, {0}); }
+
+TEST(FrameQueueStress, ReaderRests) { stress<8>(campaign(1'000'000, 50'000'000), {0}, {2}); }
+
+} // namespace
