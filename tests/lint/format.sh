@@ -4,6 +4,8 @@ source "$(dirname "$0")/common.sh"
 need clang-format
 
 mapfile -t files < <(sources '*.hpp' '*.cpp' '*.h')
-printf '%s\n' "${files[@]}" | xargs -P "$(nproc)" -n 20 clang-format --dry-run -Werror ||
-    problem "run clang-format -i on the files above"
+while read -r file; do
+    problem "clang-format -i $file"
+done < <(printf '%s\n' "${files[@]}" | xargs -P "$(nproc)" -I{} \
+    sh -c 'clang-format --dry-run -Werror {} 2>/dev/null || echo {}')
 finish "files" ${#files[@]}
