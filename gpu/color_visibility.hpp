@@ -15,11 +15,13 @@ class ColorVisibility {
     explicit ColorVisibility(const DepthMeshParams& params);
     /// Marks hidden nodes of `scene` as missing. Its indices must be built, and be built again.
     void hide(const MeshLayer& scene);
+    /// R8UI per node of the scene: 1 where its colour is surely its own, away from nearer edges.
+    [[nodiscard]] const gl::Texture& clean() const { return clean_; }
 
   private:
     LayerDrawer drawer_;
     gl::Program register_, hide_;
-    gl::Texture registered_, depth_; ///< of the depth grid's size
+    gl::Texture registered_, depth_, clean_; ///< of the depth grid's size
     gl::Framebuffer framebuffer_;
 };
 

@@ -106,7 +106,7 @@ void DepthMesh::setBlock(double depthUnitM, const SceneGeometry& geometry) {
 
 void DepthMesh::buildSamples(const gl::Texture& depth) {
     const int columns = samples_.width(), rows = samples_.height();
-    glBindTextureUnit(0, layers_.scene.points.name());
+    glBindTextureUnit(0, visibility_.clean().name());
     glBindTextureUnit(1, depth.name());
     glBindImageTexture(0, reduced_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16UI);
     gl::dispatch(reduce_, columns, rows);

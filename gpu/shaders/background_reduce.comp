@@ -1,12 +1,12 @@
 #version 450 core
-// Coarse grid behind the scene: each node takes the farthest visible measurement around its
+// Coarse grid behind the scene: each node takes the farthest measurement of clean colour around its
 // pixel, which also steps over the mixed pixels at an edge. Output: count (0: none), source pixel, and whether
 // anything was measured: what is measured but hidden has a surface, yet no colour of its own.
 #include "mesh_block.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
-layout(binding = 0) uniform sampler2D points; // of the scene: what the colour camera sees
+layout(binding = 0) uniform usampler2D clean; // 1: the colour camera sees it, away from edges
 layout(binding = 1) uniform usampler2D depthCounts;
 layout(rgba16ui, binding = 0) uniform writeonly uimage2D samples;
 
@@ -22,7 +22,7 @@ void main() {
             if (any(lessThan(pixel, ivec2(0))) || any(greaterThan(pixel, last))) continue;
             uint count = texelFetch(depthCounts, pixel, 0).x;
             farthest.w = isMeasured(count) ? 1u : farthest.w;
-            if (count > farthest.x && texelFetch(points, pixel, 0).w > 0.0)
+            if (count > farthest.x && texelFetch(clean, pixel, 0).x == 1u)
                 farthest.xyz = uvec3(count, pixel);
         }
     }

@@ -30,6 +30,7 @@ struct DepthPicture {
 struct Node {
     double u, v, d, z; ///< cyclopean picture, disparity, depth at the colour camera
     double s, t;       ///< texture coordinate in the colour image
+    bool clean = true; ///< no nearer surface close beside it, as the colour camera sees it
 };
 
 struct Layer {
@@ -85,7 +86,8 @@ inline std::optional<Node> node(const MeshInput& in, int x, int y, std::uint32_t
                 disparity(in.geometry.law, point->z),
                 point->z,
                 (pixel->x + 0.5) / in.rig.color.intrinsics.width,
-                (pixel->y + 0.5) / in.rig.color.intrinsics.height};
+                (pixel->y + 0.5) / in.rig.color.intrinsics.height,
+                true};
 }
 
 template<class Drawn>
@@ -147,15 +149,20 @@ inline std::vector<double> registeredDepth(const Layer& layer) {
     return nearest;
 }
 
-/// Nodes that the colour camera cannot see go.
+/// Nodes that the colour camera cannot see go; those within 3 pixels of a nearer one are not clean.
 inline void hideFromColor(const MeshInput& in, Layer& layer) {
     const std::vector<double> nearest = registeredDepth(layer);
     for (auto& node : layer.nodes) {
         if (!node) continue;
         const double i = std::floor(node->s * layer.width), j = std::floor(node->t * layer.height);
-        if (i < 0 || j < 0 || i >= layer.width || j >= layer.height) continue;
-        const double front = nearest[static_cast<std::size_t>(j * layer.width + i)];
-        if (node->z > front * (1 + in.params.cutRatio)) node.reset();
+        if (j < 0 || j >= layer.height) continue;
+        const double z = node->z;
+        for (double x = std::fmax(i - 3, 0); x <= std::fmin(i + 3, layer.width - 1); ++x) {
+            const double front = nearest[static_cast<std::size_t>(j * layer.width + x)];
+            const bool behind = z > front * (1 + in.params.cutRatio);
+            if (behind && node) node->clean = false;
+            if (behind && x == i) node.reset();
+        }
     }
 }
 
@@ -188,7 +195,8 @@ inline Sample farthestAround(const MeshInput& in, const Layer& scene, int center
             const std::uint32_t count = in.depth.at(x, y);
             const auto at = static_cast<std::size_t>(y * scene.width + x);
             best.measured = best.measured || measured(in, count);
-            if (count > best.count && scene.nodes[at]) best = {count, x, y, true};
+            if (count > best.count && scene.nodes[at] && scene.nodes[at]->clean)
+                best = {count, x, y, true};
         }
     return best;
 }
