@@ -16,6 +16,8 @@ constexpr std::size_t kNoiseStarts = 1U << 16; // different rows of noise before
 } // namespace
 
 ColorCamera::Rgba ColorCamera::colorOf(const Hit& hit) {
+    // Never negative; lround is a library call, too slow for a million pixels a frame.
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings)
     const auto rounded = [](double value) { return static_cast<std::uint8_t>(value + 0.5); };
     return {rounded(hit.color.r), rounded(hit.color.g), rounded(hit.color.b), 255};
 }

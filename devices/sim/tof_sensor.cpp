@@ -25,6 +25,8 @@ constexpr std::uint16_t kSaturatedCount = 65535;
 
 std::uint16_t roundedCount(float value) {
     constexpr float kMost = kSaturatedCount - 1;
+    // Never negative; lround is a library call, too slow for every pixel.
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings)
     return static_cast<std::uint16_t>(std::clamp(value, 0.0F, kMost) + 0.5F);
 }
 

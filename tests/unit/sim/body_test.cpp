@@ -41,12 +41,12 @@ double insideness(const Body& body, const glm::dvec3& p) {
 
 class BodyOfShape : public ::testing::TestWithParam<Shape> {
   protected:
-    Body body_{GetParam(),
+    Body solid{GetParam(),
                {turn(0.7, glm::normalize(glm::dvec3(1, 2, 3))), {0.3, -0.2, 0.5}},
                {0.2, 0.5, 0.35},
                {}};
     [[nodiscard]] double insidenessAt(const glm::dvec3& scenePoint) const {
-        return insideness(body_, body_.sceneFromBody.inverse() * scenePoint);
+        return insideness(solid, solid.sceneFromBody.inverse() * scenePoint);
     }
 };
 
@@ -56,18 +56,19 @@ TEST_P(BodyOfShape, FirstHitAgreesWithWalkingAlongTheRay) {
     constexpr double kStep = 1e-3;
     int hits = 0, misses = 0;
     for (std::uint64_t i = 0; i < 250; ++i) {
-        const glm::dvec3 origin = body_.sceneFromBody.translation + 1.2 * randomVector(1, i);
-        const glm::dvec3 aim = body_.sceneFromBody.translation + 0.6 * randomVector(2, i);
+        const glm::dvec3 origin = solid.sceneFromBody.translation + 1.2 * randomVector(1, i);
+        const glm::dvec3 aim = solid.sceneFromBody.translation + 0.6 * randomVector(2, i);
         const glm::dvec3 direction = glm::normalize(aim - origin);
         const bool startsInside = insidenessAt(origin) < 0;
         double walked = kNoHit, deepest = 1;
-        for (double t = kStep; t < 4; t += kStep) {
+        for (int step = 1; step < 4000; ++step) {
+            const double t = kStep * step;
             const double at = insidenessAt(origin + t * direction);
             if (walked == kNoHit && (at < 0) != startsInside) walked = t;
             deepest = std::min(deepest, at);
         }
         if (std::abs(deepest) < 2 * kStep) continue;
-        const double found = BodyFromPoint(body_, origin).distanceAlong(direction);
+        const double found = BodyFromPoint(solid, origin).distanceAlong(direction);
         if (walked == kNoHit) {
             EXPECT_EQ(found, kNoHit) << "ray " << i;
             ++misses;
@@ -84,28 +85,28 @@ TEST_P(BodyOfShape, FirstHitAgreesWithWalkingAlongTheRay) {
 TEST_P(BodyOfShape, NormalPointsOutOfTheSurface) {
     int tested = 0;
     for (std::uint64_t i = 0; i < 300; ++i) {
-        const glm::dvec3 origin = body_.sceneFromBody.translation + 2.0 * randomVector(3, i);
+        const glm::dvec3 origin = solid.sceneFromBody.translation + 2.0 * randomVector(3, i);
         const glm::dvec3 direction =
-            body_.sceneFromBody.translation - origin + 0.1 * randomVector(4, i);
-        const double distance = BodyFromPoint(body_, origin).distanceAlong(direction);
+            solid.sceneFromBody.translation - origin + 0.1 * randomVector(4, i);
+        const double distance = BodyFromPoint(solid, origin).distanceAlong(direction);
         if (distance == kNoHit) continue;
-        const glm::dvec3 point = body_.sceneFromBody.inverse() * (origin + distance * direction);
-        const glm::dvec3 normal = normalAt(body_, point);
+        const glm::dvec3 point = solid.sceneFromBody.inverse() * (origin + distance * direction);
+        const glm::dvec3 normal = normalAt(solid, point);
         EXPECT_NEAR(glm::length(normal), 1.0, 1e-12);
         constexpr double kSmall = 1e-6;
-        EXPECT_GT(insideness(body_, point + kSmall * normal), 0) << "ray " << i;
-        EXPECT_LT(insideness(body_, point - kSmall * normal), 0) << "ray " << i;
+        EXPECT_GT(insideness(solid, point + kSmall * normal), 0) << "ray " << i;
+        EXPECT_LT(insideness(solid, point - kSmall * normal), 0) << "ray " << i;
         ++tested;
     }
     EXPECT_GT(tested, 200);
 }
 
 TEST_P(BodyOfShape, ExtentsEncloseTheSurface) {
-    const glm::dvec3 half = extentsAfter(body_, body_.sceneFromBody.rotation);
+    const glm::dvec3 half = extentsAfter(solid, solid.sceneFromBody.rotation);
     for (std::uint64_t i = 0; i < 300; ++i) {
-        const glm::dvec3 centre = body_.sceneFromBody.translation;
+        const glm::dvec3 centre = solid.sceneFromBody.translation;
         const glm::dvec3 direction = randomVector(5, i);
-        const double out = BodyFromPoint(body_, centre).distanceAlong(direction);
+        const double out = BodyFromPoint(solid, centre).distanceAlong(direction);
         const glm::dvec3 away = glm::abs(out * direction);
         for (int axis = 0; axis < 3; ++axis)
             EXPECT_LE(away[axis], half[axis] + 1e-12);

@@ -76,7 +76,8 @@ TEST_P(EveryScene, HasColoursThatDoNotDependOnTheViewer) {
     const Snapshot now = scene->at(0.4);
     int seen = 0;
     for (int i = 0; i < 400; ++i) {
-        const glm::dvec3 direction{-0.7 + 0.07 * (i % 20), -0.4 + 0.04 * (i / 20), 1};
+        const int column = i % 20, row = i / 20;
+        const glm::dvec3 direction{-0.7 + 0.07 * column, -0.4 + 0.04 * row, 1};
         const Hit here = now.trace({{0, 0, 0}, direction});
         const glm::dvec3 eye{0.15, -0.05, 0.1};
         const Hit there = now.trace({eye, glm::normalize(here.point - eye)});
@@ -101,7 +102,8 @@ TEST(PersonScene, StandsAtAboutFourteenHundredMillimetres) {
 TEST(PersonScene, MovesSmoothlyAndPeriodically) {
     constexpr double kFrame = 1.0 / 30;
     double farthest = 0;
-    for (double time = 0; time < kPersonPeriodS; time += kFrame) {
+    for (int frame = 0; frame < 180; ++frame) {
+        const double time = kFrame * frame;
         const auto now = personAt(time), next = personAt(time + kFrame);
         const auto later = personAt(time + kPersonPeriodS);
         ASSERT_EQ(now.size(), later.size());
@@ -117,7 +119,8 @@ TEST(PersonScene, MovesSmoothlyAndPeriodically) {
 
 TEST(CalibrationBoardScene, FaceIsTheBoardsPlane) {
     const auto scene = makeScene("calibration-board", 1);
-    for (double time = 0; time < kBoardPeriodS; time += 0.7) {
+    for (int moment = 0; moment < 35; ++moment) {
+        const double time = moment * kBoardPeriodS / 35;
         const calib::RigidTransform pose = boardPose(time);
         for (const glm::dvec2 at : {glm::dvec2(0.01, 0.02), glm::dvec2(-0.2, 0.15)}) {
             const glm::dvec3 expected = pose * glm::dvec3(at, -kBoardHalfThicknessM);

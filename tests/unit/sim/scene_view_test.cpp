@@ -16,18 +16,18 @@ const calib::SensorRig kRig = simulatedRig(80, 72, 160, 90);
 
 class SceneViewOf : public ::testing::TestWithParam<std::tuple<const char*, bool>> {
   protected:
-    std::unique_ptr<Scene> scene_ = makeScene(std::get<0>(GetParam()), 1);
-    calib::CameraModel camera_ = std::get<1>(GetParam()) ? kRig.color : kRig.depth;
-    calib::RigidTransform pose_ =
+    std::unique_ptr<Scene> scene = makeScene(std::get<0>(GetParam()), 1);
+    calib::CameraModel camera = std::get<1>(GetParam()) ? kRig.color : kRig.depth;
+    calib::RigidTransform pose =
         std::get<1>(GetParam()) ? calib::RigidTransform{} : kRig.colorFromDepth;
 };
 
 // The short cuts (fixed part kept, screen boxes of what moves) change no bit of the picture.
 TEST_P(SceneViewOf, EqualsTracingEveryPixel) {
-    const auto width = static_cast<std::size_t>(camera_.intrinsics.width);
-    const auto height = static_cast<std::size_t>(camera_.intrinsics.height);
+    const auto width = static_cast<std::size_t>(camera.intrinsics.width);
+    const auto height = static_cast<std::size_t>(camera.intrinsics.height);
     std::vector<Hit> background(width * height);
-    const SceneView view(*scene_, camera_, pose_,
+    const SceneView view(*scene, camera, pose,
                          [&](std::size_t pixel, const Hit& hit) { background[pixel] = hit; });
     for (const double time : {0.0, 0.9, 2.2, 3.7, 1000.4}) {
         std::vector<Hit> drawn = background;
@@ -37,9 +37,9 @@ TEST_P(SceneViewOf, EqualsTracingEveryPixel) {
             ++moved;
         });
         EXPECT_EQ(moved > 0, std::get<0>(GetParam()) != std::string("room"));
-        const Snapshot now = scene_->at(time);
+        const Snapshot now = scene->at(time);
         for (std::size_t pixel = 0; pixel < drawn.size(); ++pixel) {
-            const auto truth = hitAtPixel(now, camera_, pose_, {pixel % width, pixel / width});
+            const auto truth = hitAtPixel(now, camera, pose, {pixel % width, pixel / width});
             ASSERT_TRUE(truth) << pixel;
             ASSERT_EQ(drawn[pixel].distance, truth->distance) << pixel << " at " << time;
             ASSERT_EQ(drawn[pixel].color, truth->color) << pixel << " at " << time;
