@@ -105,46 +105,75 @@ int exitCodeOf(int status) {
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-/// Waits for the end, interrupting and killing when it is time; fills in all but the output.
-ProgramResult supervise(pid_t child, const ProgramCall& call) {
-    const auto start = std::chrono::steady_clock::now();
-    ProgramResult result;
-    auto interruption = call.interruption;
+} // namespace
+
+struct RunningProgram::State {
+    explicit State(const ProgramCall& called) : call(called) {
+        std::vector<std::string> arguments{call.program};
+        arguments.insert(arguments.end(), call.arguments.begin(), call.arguments.end());
+        std::vector<std::string> environment = environmentOf(call);
+        const SpawnSetup setup(out, err, call.workingFolder);
+        child = setup.spawn(pointersTo(arguments).data(), pointersTo(environment).data());
+    }
+
+    /// Once it has ended its number may be another program's: no signal goes there.
+    bool running() {
+        if (ended) return false;
+        const pid_t found = waitpid(child, &status, WNOHANG);
+        check(found < 0 ? errno : 0, "waitpid");
+        ended = found != 0;
+        return !ended;
+    }
+
+    ProgramCall call;
+    MemoryFile out;
+    MemoryFile err;
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    pid_t child = 0;
     int status = 0;
-    pid_t ended = 0;
-    while ((ended = waitpid(child, &status, WNOHANG)) == 0) {
-        result.wall = duration_cast<Milliseconds>(std::chrono::steady_clock::now() - start);
-        if (interruption && result.wall >= interruption->after) {
-            kill(child, interruption->signal);
-            interruption.reset();
+    bool ended = false;
+};
+
+RunningProgram::RunningProgram(const ProgramCall& call) : state_(std::make_unique<State>(call)) {}
+
+RunningProgram::~RunningProgram() {
+    if (state_->ended) return;
+    kill(-state_->child, SIGKILL);
+    waitpid(state_->child, &state_->status, 0);
+}
+
+std::string RunningProgram::out() const { return state_->out.text(); }
+bool RunningProgram::running() { return state_->running(); }
+
+void RunningProgram::signal(int number) {
+    if (running()) kill(state_->child, number);
+}
+
+ProgramResult RunningProgram::wait() {
+    const ProgramCall& call = state_->call;
+    const auto age = [&] {
+        return duration_cast<Milliseconds>(std::chrono::steady_clock::now() - state_->start);
+    };
+    ProgramResult result;
+    bool interrupted = false;
+    while (state_->running()) {
+        if (call.interruption && !interrupted && age() >= call.interruption->after) {
+            kill(state_->child, call.interruption->signal);
+            interrupted = true;
         }
-        if (result.wall >= call.limit && !result.timedOut) {
-            kill(-child, SIGKILL);
+        if (age() >= call.limit && !result.timedOut) {
+            kill(-state_->child, SIGKILL);
             result.timedOut = true;
         }
         std::this_thread::sleep_for(Milliseconds(1));
     }
-    check(ended < 0 ? errno : 0, "waitpid");
-    result.wall = duration_cast<Milliseconds>(std::chrono::steady_clock::now() - start);
-    result.exitCode = exitCodeOf(status);
+    result.wall = age();
+    result.exitCode = exitCodeOf(state_->status);
+    result.out = state_->out.text();
+    result.err = state_->err.text();
     return result;
 }
 
-} // namespace
-
-ProgramResult runProgram(const ProgramCall& call) {
-    std::vector<std::string> arguments{call.program};
-    arguments.insert(arguments.end(), call.arguments.begin(), call.arguments.end());
-    std::vector<std::string> environment = environmentOf(call);
-
-    const MemoryFile out;
-    const MemoryFile err;
-    const SpawnSetup setup(out, err, call.workingFolder);
-    const pid_t child = setup.spawn(pointersTo(arguments).data(), pointersTo(environment).data());
-    ProgramResult result = supervise(child, call);
-    result.out = out.text();
-    result.err = err.text();
-    return result;
-}
+ProgramResult runProgram(const ProgramCall& call) { return RunningProgram(call).wait(); }
 
 } // namespace autostereo::test

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,8 +33,29 @@ struct ProgramResult {
     std::chrono::milliseconds wall{0};
 };
 
-/// Runs a program to its end, with empty stdin; blocks. Its output goes to files in memory, so it
-/// never waits for a reader. Throws std::system_error when it cannot be started. Reentrant.
+/// A program at work, with empty stdin, in a process group of its own. Its output goes to files in
+/// memory, so it never waits for a reader. Destruction kills what still runs. Throws
+/// std::system_error when it cannot be started. Thread-bound.
+class RunningProgram {
+  public:
+    explicit RunningProgram(const ProgramCall& call);
+    ~RunningProgram();
+    RunningProgram(const RunningProgram&) = delete;
+    RunningProgram& operator=(const RunningProgram&) = delete;
+
+    /// What it has written so far.
+    [[nodiscard]] std::string out() const;
+    [[nodiscard]] bool running();
+    void signal(int number);
+    /// Blocks until it ends; interrupts and kills when the call says so, counted from the start.
+    [[nodiscard]] ProgramResult wait();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Runs a program to its end; blocks. Reentrant.
 [[nodiscard]] ProgramResult runProgram(const ProgramCall& call);
 
 } // namespace autostereo::test

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "tests/replay/pictures.hpp"
+#include "tests/support/run_program.hpp"
+
+#include <optional>
+#include <string>
+
+namespace autostereo::test {
+
+/// A virtual X server with one monitor of this size, 24 bits, on a free display number. Destruction
+/// ends it. Throws std::runtime_error when it doesn't come up. Thread-bound.
+class XServer {
+  public:
+    XServer(int width, int height);
+
+    /// For DISPLAY.
+    [[nodiscard]] std::string display() const { return ":" + number_; }
+    /// The whole screen as it is now.
+    [[nodiscard]] ColorPicture screenshot() const;
+
+    /// What is missing to start one here, or nothing.
+    [[nodiscard]] static std::optional<std::string> missing();
+
+  private:
+    RunningProgram server_;
+    std::string number_;
+};
+
+} // namespace autostereo::test
