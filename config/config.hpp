@@ -20,7 +20,7 @@ struct LogParams {
 /// Everything a configuration file can say: all rooms' params together.
 struct Config {
     std::string input = "sim:person";
-    std::string display;            ///< profile name or file; empty: recognise, else preview
+    std::string display;            ///< profile name or file; empty: preview
     std::optional<std::string> rig; ///< rig file; none: the input's own calibration
     std::optional<Output> output;   ///< none: window if there is a display, else off-screen
     devices::SyncParams sync;
