@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 
 using namespace autostereo;
 using namespace autostereo::devices;
@@ -24,10 +25,13 @@ class SyncRig {
         push(frame[0] == 'd', time, now);
     }
     void push(bool depth, TimePoint time, TimePoint now = {}) {
+        const auto format = depth ? PixelFormat::Depth16 : PixelFormat::Rgba8;
+        Frame frame = test::tinyFrame(pool_, format, time);
+        ASSERT_FALSE(frame.empty()) << "more frames are kept than the pool holds";
         if (depth)
-            sync.pushDepth(test::tinyFrame(pool_, PixelFormat::Depth16, time), now);
+            sync.pushDepth(std::move(frame), now);
         else
-            sync.pushColor(test::tinyFrame(pool_, PixelFormat::Rgba8, time));
+            sync.pushColor(std::move(frame));
         ++(depth ? depthsPushed_ : colorsPushed_);
     }
     void note(const std::optional<RgbdFrame>& pair) {
@@ -167,6 +171,15 @@ TEST(FrameSyncGrace, WithoutAPartnerThereIsNothingToWakeFor) {
     rig.arrive("c1");
     rig.collect();
     EXPECT_EQ(rig.pairs, "0-1");
+}
+
+TEST(FrameSync, AStepBackDelaysNothing) {
+    SyncRig rig;
+    for (const char* frame : {"c0", "d0", "d999999", "c33", "d33"}) {
+        rig.arrive(frame);
+        rig.collect();
+    }
+    EXPECT_EQ(rig.pairs, "0-0 33-33"); // the frame from far ahead is no longer waited for
 }
 
 TEST(FrameSync, SurvivesTheExtremesOfTime) {
