@@ -94,8 +94,7 @@ KinectColorSource::KinectColorSource(const KinectTrack& color, KinectColorFormat
 std::optional<Frame> KinectColorSource::convertJpeg(const MatroskaBlock& block) {
     const std::uint64_t sequence = sequence_++;
     const ImageHeader header = jpeg_.open(block.payload);
-    auto frame = stream_.slot({header.width, header.height}, sequence,
-                              TimePoint{block.time + track_.startOffset});
+    auto frame = stream_.slot(header.size(), sequence, TimePoint{block.time + track_.startOffset});
     if (frame) jpeg_.decode(frame->pixels());
     return frame;
 }
