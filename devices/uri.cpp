@@ -48,8 +48,10 @@ void Uri::allowOnly(std::initializer_list<std::string_view> allowed) const {
     for (const auto& entry : query) {
         if (std::find(allowed.begin(), allowed.end(), entry.first) != allowed.end()) continue;
         std::string names;
-        for (const std::string_view name : allowed)
-            names += (names.empty() ? "" : ", ") + std::string(name);
+        for (const std::string_view name : allowed) {
+            if (!names.empty()) names += ", ";
+            names += name;
+        }
         throw DeviceError(text + ": unknown key " + entry.first + " (allowed " +
                           (names.empty() ? "none" : names) + ")");
     }

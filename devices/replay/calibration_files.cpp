@@ -77,12 +77,14 @@ void check(const calib::CameraModel& camera, const Node& node) {
 calib::RigidTransform transformFrom(const std::vector<double>& rowMajor,
                                     const std::vector<double>& translation, const Node& node) {
     calib::RigidTransform result;
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column)
-            result.rotation[column][row] = rowMajor[static_cast<std::size_t>(3 * row + column)];
-        result.translation[row] = translation[static_cast<std::size_t>(row)];
+    for (std::size_t row = 0; row < 3; ++row) {
+        const auto component = static_cast<glm::length_t>(row);
+        for (std::size_t column = 0; column < 3; ++column)
+            result.rotation[static_cast<glm::length_t>(column)][component] =
+                rowMajor[3 * row + column];
+        result.translation[component] = translation[row];
     }
-    // Factory rotations are orthonormal to 1e-6; a transposed or scaled one is off by far more.
+    // Factory rotations are orthonormal to 1e-6; a scaled or mistyped one is off by far more.
     constexpr double kTolerance = 1e-3;
     const glm::dmat3 unit = result.rotation * glm::transpose(result.rotation);
     for (int i = 0; i < 9; ++i)
@@ -184,8 +186,7 @@ constexpr std::array kColorModes{
 const KinectMode& modeOf(std::span<const KinectMode> modes, PictureSize size, const Node& node) {
     for (const KinectMode& mode : modes)
         if (mode.picture == size) return mode;
-    node.fail("mode", "no Azure Kinect mode has pictures of " + std::to_string(size.width) + "x" +
-                          std::to_string(size.height));
+    node.fail("mode", "no Azure Kinect mode has pictures of " + size.text());
 }
 
 Node kinectCamera(const Node& root, std::string_view purpose) {

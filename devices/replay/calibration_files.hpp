@@ -1,6 +1,7 @@
 #pragma once
 
 #include "calib/sensor_rig.hpp"
+#include "devices/replay/image.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -27,12 +28,6 @@ struct CameraFile {
 /// R_rowmajor and t_m. Or Open3D's file: width, height, intrinsic_matrix (column by column), one
 /// camera for both pictures. Throws DeviceError as `file: key: what is wrong (allowed ...)`.
 [[nodiscard]] CameraFile readCameraFile(const std::filesystem::path& path);
-
-struct PictureSize {
-    int width = 0;
-    int height = 0;
-    [[nodiscard]] bool operator==(const PictureSize&) const = default;
-};
 
 /// The factory calibration of an Azure Kinect (JSON) for the modes with these picture sizes, which
 /// name a depth mode and a colour resolution uniquely. A 0x0 size: that stream is not there, its

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <system_error>
@@ -68,10 +69,22 @@ class EbmlFile::Stream final : public libebml::IOCallback {
 
     /// Through the same buffer as the heads, so that going back and forth costs no reading.
     [[nodiscard]] std::uint64_t find(std::uint32_t id, std::uint64_t from) {
-        std::uint32_t window = 0;
-        for (position_ = from; available(); ++position_) {
-            window = window << 8U | std::to_integer<std::uint32_t>(current());
-            if (window == id && position_ >= from + 3) return position_ - 3;
+        const std::array wanted{
+            static_cast<unsigned char>(id >> 24U), static_cast<unsigned char>(id >> 16U),
+            static_cast<unsigned char>(id >> 8U), static_cast<unsigned char>(id)};
+        position_ = from;
+        while (available()) {
+            const std::byte* here = buffer_.data() + (position_ - bufferedAt_);
+            const std::byte* end = buffer_.data() + buffered_;
+            const void* hit = std::memchr(here, wanted[0], static_cast<std::size_t>(end - here));
+            const auto* first = hit == nullptr ? end : static_cast<const std::byte*>(hit);
+            position_ += static_cast<std::uint64_t>(first - here);
+            const std::uint64_t candidate = position_;
+            std::array<unsigned char, wanted.size()> found{};
+            if (hit == nullptr) continue;
+            if (read(found.data(), found.size()) == found.size() && found == wanted)
+                return candidate;
+            position_ = candidate + 1;
         }
         return size_;
     }

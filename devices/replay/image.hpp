@@ -26,6 +26,17 @@ enum class ImageFormat : std::uint8_t { Grey8, Rgb8, Rgba8, Grey16 };
 
 constexpr int kLargestSide = 16384; ///< pixels; what a texture may measure
 
+/// In pixels; 0x0: not known, or not there.
+struct PictureSize {
+    int width = 0;
+    int height = 0;
+
+    [[nodiscard]] bool operator==(const PictureSize&) const = default;
+    [[nodiscard]] std::string text() const {
+        return std::to_string(width) + "x" + std::to_string(height);
+    }
+};
+
 /// Format and size of a picture, known before its pixels are.
 struct ImageHeader {
     ImageFormat format = ImageFormat::Rgba8;
@@ -39,9 +50,7 @@ struct ImageHeader {
     [[nodiscard]] bool sizeAllowed() const {
         return width >= 1 && height >= 1 && width <= kLargestSide && height <= kLargestSide;
     }
-    [[nodiscard]] std::string sizeText() const {
-        return std::to_string(width) + "x" + std::to_string(height);
-    }
+    [[nodiscard]] PictureSize size() const { return {width, height}; }
 };
 
 /// Somebody else's pixels.

@@ -22,7 +22,8 @@ JpegDecoder::JpegDecoder() : handle_(tjInitDecompress()) {
 }
 
 void JpegDecoder::fail() const {
-    throw std::runtime_error("JPEG " + header_.sizeText() + ": " + tjGetErrorStr2(handle_.get()));
+    throw std::runtime_error("JPEG " + header_.size().text() + ": " +
+                             tjGetErrorStr2(handle_.get()));
 }
 
 ImageHeader JpegDecoder::open(std::span<const std::byte> bytes) {
@@ -33,7 +34,7 @@ ImageHeader JpegDecoder::open(std::span<const std::byte> bytes) {
                             &header_.height, &subsampling, &colorspace) != 0)
         fail();
     if (!header_.sizeAllowed())
-        throw std::runtime_error("JPEG " + header_.sizeText() + " (allowed 1 to 16384)");
+        throw std::runtime_error("JPEG " + header_.size().text() + " (allowed 1 to 16384)");
     return header_;
 }
 

@@ -29,9 +29,7 @@ std::string fourCc(const MatroskaTrack& track) {
     return code;
 }
 
-std::string sizeText(int width, int height) {
-    return std::to_string(width) + "x" + std::to_string(height);
-}
+PictureSize sizeOf(const MatroskaTrack& track) { return {track.width, track.height}; }
 
 std::string tagOr(const MatroskaInfo& info, const char* name, const std::string& fallback) {
     const auto found = info.tags.find(name);
@@ -99,11 +97,10 @@ class Opener {
     KinectTrack prepare(const MatroskaTrack& track, const std::string& what) {
         if (track.encoded) fail(track.name + " track is compressed on top of its codec");
         if (track.width < 1 || track.height < 1 || track.width % 2 != 0 || track.height % 2 != 0)
-            fail(track.name + " track has a size of " + sizeText(track.width, track.height) +
+            fail(track.name + " track has a size of " + sizeOf(track).text() +
                  " (allowed even, 2 to 16384)");
-        KinectTrack result{
-            path_, info_, track.number, {track.width, track.height}, startOffset(info_)};
-        input_.description += ", " + sizeText(track.width, track.height) + " " + what;
+        KinectTrack result{path_, info_, track.number, sizeOf(track), startOffset(info_)};
+        input_.description += ", " + sizeOf(track).text() + " " + what;
         input_.nominalPeriod = std::max(input_.nominalPeriod, track.period);
         MatroskaBlocks blocks(path_, info_, track.number);
         if (const auto first = blocks.next())
@@ -112,10 +109,10 @@ class Opener {
     }
 
     void checkSize(const MatroskaTrack& track, const calib::CameraModel& camera) const {
-        const calib::Intrinsics& i = camera.intrinsics;
-        if (i.width != track.width || i.height != track.height)
-            fail(track.name + " track has pictures of " + sizeText(track.width, track.height) +
-                 ", the rig is for " + sizeText(i.width, i.height));
+        const PictureSize size{camera.intrinsics.width, camera.intrinsics.height};
+        if (size != sizeOf(track))
+            fail(track.name + " track has pictures of " + sizeOf(track).text() +
+                 ", the rig is for " + size.text());
     }
 
     [[nodiscard]] calib::SensorRig calibration(const MatroskaTrack* depth,
@@ -124,7 +121,7 @@ class Opener {
         const auto found = info_.attachments.find(name);
         if (found == info_.attachments.end()) fail("no " + name + " attached (use --rig)");
         const auto size = [](const MatroskaTrack* track) {
-            return track == nullptr ? PictureSize{} : PictureSize{track->width, track->height};
+            return track == nullptr ? PictureSize{} : sizeOf(*track);
         };
         return readKinectCalibration(found->second, path_.string() + ": " + name, size(depth),
                                      size(color));

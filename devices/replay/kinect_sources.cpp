@@ -2,6 +2,7 @@
 
 #include "devices/replay/color_formats.hpp"
 
+#include <cstring>
 #include <exception>
 #include <utility>
 
@@ -14,9 +15,9 @@ std::size_t pixelCount(PictureSize size) {
 }
 
 void fromBigEndian(std::span<const std::byte> from, std::span<std::uint16_t> to) {
-    for (std::size_t i = 0; i < to.size(); ++i)
-        to[i] = static_cast<std::uint16_t>(std::to_integer<unsigned>(from[2 * i]) << 8U |
-                                           std::to_integer<unsigned>(from[2 * i + 1]));
+    std::memcpy(to.data(), from.data(), to.size_bytes());
+    for (std::uint16_t& value : to)
+        value = static_cast<std::uint16_t>(value << 8U | value >> 8U);
 }
 
 /// Reads blocks until `convert` makes a frame of one. Whatever it throws is a damaged picture.
@@ -93,8 +94,7 @@ KinectColorSource::KinectColorSource(const KinectTrack& color, KinectColorFormat
 std::optional<Frame> KinectColorSource::convertJpeg(const MatroskaBlock& block) {
     const std::uint64_t sequence = sequence_++;
     const ImageHeader header = jpeg_.open(block.payload);
-    auto frame = stream_.slot({header.width, header.height}, sequence,
-                              TimePoint{block.time + track_.startOffset});
+    auto frame = stream_.slot(header.size(), sequence, TimePoint{block.time + track_.startOffset});
     if (frame) jpeg_.decode(frame->pixels());
     return frame;
 }

@@ -15,8 +15,7 @@ PictureSize sizeOf(const std::vector<Picture>& pictures) {
     ImageReader reader;
     for (std::size_t i = 0; i < std::min(kMostTried, pictures.size()); ++i) {
         try {
-            const ImageHeader header = reader.open(pictures[i].path);
-            return {header.width, header.height};
+            return reader.open(pictures[i].path).size();
         } catch (const std::exception&) {
             continue; // counted as damaged when it is its turn
         }
@@ -58,18 +57,14 @@ PictureSize sizeOf(const calib::CameraModel& camera) {
     return {camera.intrinsics.width, camera.intrinsics.height};
 }
 
-std::string text(PictureSize size) {
-    return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
 /// The size a stream's pictures must have, with a warning where the first one already differs.
 PictureSize expectedSize(Input& input, const calib::CameraModel* camera, PictureSize seen,
                          const std::string& stream) {
     if (camera == nullptr) return seen;
     const PictureSize expected = sizeOf(*camera);
     if (seen != PictureSize{} && seen != expected)
-        input.warnings.push_back(stream + " pictures are " + text(seen) +
-                                 ", the calibration is for " + text(expected) +
+        input.warnings.push_back(stream + " pictures are " + seen.text() +
+                                 ", the calibration is for " + expected.text() +
                                  ": pictures of another size are dropped");
     return expected;
 }
@@ -102,7 +97,7 @@ Input inputFromPictures(const Uri& uri, const std::string& kind, PictureLists li
         if (pictures.empty()) return nullptr;
         startsAt = std::min(startsAt, pictures.front().capturedAt);
         input.description +=
-            ", " + std::to_string(pictures.size()) + " " + name + " pictures " + text(seen);
+            ", " + std::to_string(pictures.size()) + " " + name + " pictures " + seen.text();
         return std::make_unique<PictureSource>(
             std::move(pictures), format, expectedSize(input, camera, seen, name), lists.depthUnitM);
     };

@@ -18,7 +18,7 @@ std::optional<Frame> PictureSource::load(std::size_t index) noexcept try {
         stream_.countDamaged();
         return std::nullopt;
     }
-    auto frame = stream_.slot({header.width, header.height}, index, picture.capturedAt);
+    auto frame = stream_.slot(header.size(), index, picture.capturedAt);
     if (frame) reader_.decode(frame->pixels());
     return frame;
 } catch (const std::exception&) {

@@ -97,7 +97,7 @@ struct PngDecoder::State {
     }
 
     [[noreturn]] void fail() const {
-        throw std::runtime_error("PNG " + header.sizeText() + ": " + error.text.data());
+        throw std::runtime_error("PNG " + header.size().text() + ": " + error.text.data());
     }
 };
 
@@ -119,7 +119,7 @@ ImageHeader PngDecoder::open(std::span<const std::byte> bytes) {
     s.header.width = bigEndian32(bytes, 16);
     s.header.height = bigEndian32(bytes, 20);
     if (!s.header.sizeAllowed())
-        throw std::runtime_error("PNG " + s.header.sizeText() + " (allowed 1 to 16384)");
+        throw std::runtime_error("PNG " + s.header.size().text() + " (allowed 1 to 16384)");
     std::snprintf(s.error.text.data(), s.error.text.size(), "unexpected layout");
     s.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &s.error, onError, onWarning);
     if (s.png != nullptr) s.info = png_create_info_struct(s.png);
@@ -192,8 +192,9 @@ struct PngEncoder {
 void writePng(const std::filesystem::path& path, const ImageView& image) {
     const ImageHeader& h = image.header;
     if (!h.sizeAllowed() || image.pixels.size() < h.bytes())
-        throw std::runtime_error("cannot write " + path.string() + ": picture of " + h.sizeText() +
-                                 " with " + std::to_string(image.pixels.size()) + " bytes");
+        throw std::runtime_error("cannot write " + path.string() + ": picture of " +
+                                 h.size().text() + " with " + std::to_string(image.pixels.size()) +
+                                 " bytes");
     const std::string temporary = path.string() + "." + std::to_string(::getpid()) + ".part";
     const auto give = [&](const std::string& reason) {
         ::unlink(temporary.c_str());

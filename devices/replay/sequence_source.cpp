@@ -1,8 +1,11 @@
 #include "devices/replay/picture_input.hpp"
 
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace autostereo::devices {
@@ -25,28 +28,31 @@ long numberOf(const std::string& digits) {
     return std::stol(digits);
 }
 
-bool endsWith(std::string& name, const char* ending) {
-    const std::string suffix = ending;
-    if (!name.ends_with(suffix)) return false;
-    name.resize(name.size() - suffix.size());
-    return true;
-}
+/// What a file's name says about it.
+struct Naming {
+    std::string_view prefix;
+    std::string_view ending;
+    Numbered Folder::*list;
+};
+
+constexpr std::array kNamings{
+    Naming{"frame-", ".depth.png", &Folder::depth},
+    Naming{"frame-", ".color.jpg", &Folder::color},
+    Naming{"frame-", ".color.png", &Folder::color},
+    Naming{"", ".jpg", &Folder::color},
+    Naming{"", ".jpeg", &Folder::color},
+    Naming{"", ".png", &Folder::plainPng},
+};
 
 void sortIn(Folder& folder, const std::filesystem::path& path) {
-    std::string name = path.filename().string();
-    const bool framed = name.starts_with("frame-");
-    if (framed) name.erase(0, 6);
-    Numbered* list = nullptr;
-    if (framed && endsWith(name, ".depth.png"))
-        list = &folder.depth;
-    else if (framed && (endsWith(name, ".color.jpg") || endsWith(name, ".color.png")))
-        list = &folder.color;
-    else if (!framed && (endsWith(name, ".jpg") || endsWith(name, ".jpeg")))
-        list = &folder.color;
-    else if (!framed && endsWith(name, ".png"))
-        list = &folder.plainPng;
-    if (list == nullptr) return;
-    if (const long number = numberOf(name); number >= 0) list->emplace(number, path);
+    const std::string name = path.filename().string();
+    for (const Naming& naming : kNamings) {
+        if (!name.starts_with(naming.prefix) || !name.ends_with(naming.ending)) continue;
+        const std::size_t around = naming.prefix.size() + naming.ending.size();
+        if (name.size() <= around) continue;
+        const long number = numberOf(name.substr(naming.prefix.size(), name.size() - around));
+        if (number >= 0) (folder.*naming.list).emplace(number, path);
+    }
 }
 
 /// What N.png files are is decided for the whole folder by the first that opens.

@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The slowest case takes some 20 ms in a debug build; the rest is room for sanitizers.
+// A case takes some 20 ms in a debug build; the rest is room for sanitizers.
 constexpr std::chrono::seconds kLongest{1};
 constexpr int kCases = 200;
 constexpr unsigned kSeed = 20260101;
@@ -33,22 +33,30 @@ struct Outcome {
 };
 
 /// Opens and plays to the end. Anything but a DeviceError while opening fails the test.
-void play(const std::filesystem::path& path, Outcome& outcome, const std::string& what) {
-    const auto begin = Clock::now();
-    try {
-        const auto input = devices::openInput(path);
-        for (auto* source : {input.depth.get(), input.color.get()}) {
-            if (source == nullptr) continue;
-            const int frames = test::countFrames(*source);
-            EXPECT_LE(frames, 3) << what; // the file has one of each; a flip may show IR as depth
-            outcome.frames += frames;
-            outcome.damaged += source->counters().damaged;
-        }
-    } catch (const devices::DeviceError& error) {
-        ++outcome.refused;
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+void playOnce(const std::filesystem::path& path, Outcome& outcome, const std::string& what) try {
+    const auto input = devices::openInput(path);
+    for (auto* source : {input.depth.get(), input.color.get()}) {
+        if (source == nullptr) continue;
+        const int frames = test::countFrames(*source);
+        EXPECT_LE(frames, 2) << what; // the file has one of each; a flip may make IR depth
+        outcome.frames += frames;
+        outcome.damaged += source->counters().damaged;
     }
-    EXPECT_LT(Clock::now() - begin, kLongest) << what;
+} catch (const devices::DeviceError& error) {
+    ++outcome.refused;
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+}
+
+/// The same within the time; a busy machine may hold it up, so a slow case gets a second chance.
+void play(const std::filesystem::path& path, Outcome& outcome, const std::string& what) {
+    const auto seconds = [&](Outcome& result) {
+        const auto begin = Clock::now();
+        playOnce(path, result, what);
+        return Clock::now() - begin;
+    };
+    if (seconds(outcome) < kLongest) return;
+    Outcome again;
+    EXPECT_LT(seconds(again), kLongest) << what;
 }
 
 class DamagedRecording : public ::testing::Test {
