@@ -27,7 +27,8 @@ enum ExitCode { FailedRunning = 1, BadCommandLineOrConfig = 2, NotFound = 3 };
 
 int exitCodeOf(const std::exception& error) {
     if (dynamic_cast<const daemon::UsageError*>(&error) != nullptr ||
-        dynamic_cast<const config::ConfigError*>(&error) != nullptr)
+        dynamic_cast<const config::ConfigError*>(&error) != nullptr ||
+        dynamic_cast<const devices::AddressError*>(&error) != nullptr)
         return BadCommandLineOrConfig;
     if (const auto* device = dynamic_cast<const devices::DeviceError*>(&error))
         return device->notFound() ? NotFound : FailedRunning;

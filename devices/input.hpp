@@ -23,6 +23,12 @@ class DeviceError : public std::runtime_error {
     bool notFound_;
 };
 
+/// An input address with words in it that mean nothing, or not yet: the command line is at fault.
+class AddressError : public DeviceError {
+  public:
+    explicit AddressError(const std::string& what) : DeviceError(what) {}
+};
+
 /// An opened input URI: one source per stream, either may be absent (colour alone, depth alone).
 struct Input {
     std::string uri;

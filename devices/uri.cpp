@@ -19,9 +19,9 @@ std::map<std::string, std::string> parseQuery(const std::string& uri, const std:
     for (std::string field; std::getline(fields, field, '&');) {
         const auto equals = field.find('=');
         if (equals == 0 || equals == std::string::npos)
-            throw DeviceError(uri + ": '" + field + "' is no key=value");
+            throw AddressError(uri + ": '" + field + "' is no key=value");
         if (!query.emplace(field.substr(0, equals), field.substr(equals + 1)).second)
-            throw DeviceError(uri + ": " + field.substr(0, equals) + " is given twice");
+            throw AddressError(uri + ": " + field.substr(0, equals) + " is given twice");
     }
     return query;
 }
@@ -52,8 +52,8 @@ void Uri::allowOnly(std::initializer_list<std::string_view> allowed) const {
             if (!names.empty()) names += ", ";
             names += name;
         }
-        throw DeviceError(text + ": unknown key " + entry.first + " (allowed " +
-                          (names.empty() ? "none" : names) + ")");
+        throw AddressError(text + ": unknown key " + entry.first + " (allowed " +
+                           (names.empty() ? "none" : names) + ")");
     }
 }
 
@@ -68,7 +68,7 @@ double Uri::number(const std::string& key, double fallback, double lowest, doubl
         return result;
     char range[64];
     std::snprintf(range, sizeof range, "%g to %g", lowest, highest);
-    throw DeviceError(text + ": " + key + " = '" + digits + "' (allowed " + range + ")");
+    throw AddressError(text + ": " + key + " = '" + digits + "' (allowed " + range + ")");
 }
 
 std::string Uri::value(const std::string& key) const {

@@ -9,7 +9,7 @@ namespace autostereo::devices {
 
 /// An input address taken apart: `scheme:path?key=value&key=value`. Text without a scheme (lower
 /// case letters and digits before the first colon) is a plain file name, query marks included.
-/// No percent-decoding. Reentrant; everything that is wrong throws DeviceError.
+/// No percent-decoding. Reentrant; everything that is wrong throws AddressError.
 struct Uri {
     std::string text; ///< as given, for messages
     std::string scheme;

@@ -24,13 +24,13 @@ Input openFile(const Uri& uri, const std::optional<calib::SensorRig>& rig) {
     const std::filesystem::path path = uri.path;
     const std::string extension = path.extension().string();
     if (holds(kLater, extension))
-        throw DeviceError(uri.text + ": " + extension + " input is not in this version");
+        throw AddressError(uri.text + ": " + extension + " input is not in this version");
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         throw DeviceError("cannot open " + uri.text + ": no such file", true);
     if (extension != ".mkv")
-        throw DeviceError("cannot open " + uri.text + ": unknown kind of file (allowed " +
-                          std::string(kKnown) + ")");
+        throw AddressError("cannot open " + uri.text + ": unknown kind of file (allowed " +
+                           std::string(kKnown) + ")");
     return openKinectRecording(path, rig);
 }
 
@@ -47,9 +47,10 @@ Input dispatch(const Uri& uri, const std::optional<calib::SensorRig>& rig) {
         return input;
     }
     if (holds(kLater, uri.scheme))
-        throw DeviceError(uri.text + ": " + uri.scheme + ": is not in this version");
-    throw DeviceError("cannot open " + uri.text + ": unknown scheme " + uri.scheme + ": (allowed " +
-                      std::string(kKnown) + "; a file name with a colon needs ./ before it)");
+        throw AddressError(uri.text + ": " + uri.scheme + ": is not in this version");
+    throw AddressError("cannot open " + uri.text + ": unknown scheme " + uri.scheme +
+                       ": (allowed " + std::string(kKnown) +
+                       "; a file name with a colon needs ./ before it)");
 }
 
 } // namespace

@@ -40,8 +40,8 @@ Size sizeIn(const Uri& uri, const std::string& key, Size fallback, int largest) 
     if (fields != 2 || !allowed(size.width) || !allowed(size.height)) {
         const std::string range = std::to_string(kSmallest) + "x" + std::to_string(kSmallest) +
                                   " to " + std::to_string(largest) + "x" + std::to_string(largest);
-        throw DeviceError("sim: cannot open " + uri.text + ": " + key + "=" + text +
-                          " is no size (allowed WIDTHxHEIGHT from " + range + ")");
+        throw AddressError("sim: cannot open " + uri.text + ": " + key + "=" + text +
+                           " is no size (allowed WIDTHxHEIGHT from " + range + ")");
     }
     return size;
 }
@@ -50,7 +50,7 @@ bool noiseIn(const Uri& uri) {
     const std::string text = uri.value("noise");
     if (text.empty() || text == "on") return true;
     if (text == "off") return false;
-    throw DeviceError("sim: cannot open " + uri.text + ": noise=" + text + " (allowed on, off)");
+    throw AddressError("sim: cannot open " + uri.text + ": noise=" + text + " (allowed on, off)");
 }
 
 std::string describe(const std::string& scene, Size depth, Size color, double fps) {
@@ -79,8 +79,7 @@ std::unique_ptr<Scene> makeScene(const std::string& name, std::uint64_t seed) {
             return std::vector<Body>{boardAt(time)};
         });
     }
-    throw DeviceError("sim: no scene '" + name + "' (allowed room, person, calibration-board)",
-                      true);
+    throw AddressError("sim: no scene '" + name + "' (allowed room, person, calibration-board)");
 }
 
 calib::SensorRig simulatedRig(int depthWidth, int depthHeight, int colorWidth, int colorHeight) {

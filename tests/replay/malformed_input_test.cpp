@@ -170,6 +170,9 @@ TEST_F(MalformedInput, WrongCommandLines) {
     EXPECT_TRUE(fails({"render", "--as", "panel"})) << "--output is missing";
     EXPECT_TRUE(fails({"render", "--as", "hologram", "--output", folder_ / "p.png"}));
     EXPECT_TRUE(fails({"render", "--as", "view", "--eye", "0,0", "--output", folder_ / "p.png"}));
+    EXPECT_TRUE(fails({"run", "--input", "v4l2:/dev/video0"})) << "known, but not in this version";
+    EXPECT_TRUE(fails({"run", "--input", "sim:moon"}));
+    EXPECT_TRUE(fails({"run", "--input", "sim:room?fog=1"}));
     EXPECT_TRUE(fails({"viewmap"})) << "known, but not in this version";
 }
 

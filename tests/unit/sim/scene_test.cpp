@@ -156,8 +156,7 @@ TEST(MakeScene, NamesTheScenesThatThereAre) {
     try {
         (void)makeScene("kitchen", 1);
         FAIL() << "no error";
-    } catch (const DeviceError& error) {
-        EXPECT_TRUE(error.notFound());
+    } catch (const AddressError& error) {
         EXPECT_NE(std::string(error.what()).find("room, person, calibration-board"),
                   std::string::npos);
     }
