@@ -65,8 +65,10 @@ std::optional<glm::dvec2> CameraModel::unproject(const glm::dvec2& pixel) const 
         const double xy = 2 * x * y * slope + 2 * k.p1 * x + 2 * k.p2 * y;
         const double yy = radial + 2 * y * y * slope + 6 * k.p1 * y + 2 * k.p2 * x;
         const double determinant = xx * yy - xy * xy;
-        // Where the model folds back, pixels have two rays or none.
-        if (!(determinant > 0)) return std::nullopt;
+        if (!(determinant > 0)) { // where the model folds back no ray counts: search farther in
+            ray *= 0.5;
+            continue;
+        }
         if (std::abs(error.x) < kConverged && std::abs(error.y) < kConverged) {
             if (r2 > k.metricRadius * k.metricRadius) return std::nullopt;
             return ray;

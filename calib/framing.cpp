@@ -17,7 +17,7 @@ struct Box {
     [[nodiscard]] bool empty() const { return !(left < right && top < bottom); }
 };
 
-/// Shrinks `box` to what `camera` covers at distance `z`, seen from the colour camera. The
+/// Shrinks `box` to what `camera` covers at distance `z` of the colour camera, seen from there. The
 /// picture's edges are sampled: distortion and tilt bend them.
 void coverAt(const CameraModel& camera, const RigidTransform& colorFromCamera, double z, Box& box) {
     constexpr int kSamples = 33;
@@ -25,9 +25,11 @@ void coverAt(const CameraModel& camera, const RigidTransform& colorFromCamera, d
     const auto seen = [&](double x, double y) -> std::optional<glm::dvec2> {
         const auto ray = camera.unproject({x, y});
         if (!ray) return std::nullopt;
-        const glm::dvec3 point = colorFromCamera * glm::dvec3{ray->x * z, ray->y * z, z};
-        if (!(point.z > 0)) return std::nullopt;
-        return glm::dvec2{point.x / point.z, point.y / point.z};
+        const glm::dvec3 along = colorFromCamera.rotation * glm::dvec3{*ray, 1};
+        const glm::dvec3& start = colorFromCamera.translation;
+        const double reach = (z - start.z) / along.z; // to the plane at z of the colour camera
+        if (!(along.z > 0 && reach > 0)) return std::nullopt;
+        return glm::dvec2{start + reach * along} / z;
     };
     for (int i = 0; i < kSamples; ++i) {
         const double along = static_cast<double>(i) / (kSamples - 1);

@@ -2,8 +2,25 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace autostereo::calib {
+
+namespace {
+
+bool whole(double number) { return std::abs(number - std::round(number)) < 1e-9; }
+
+/// Phases of a rational lens are multiples of 1 / (this many) cycles; 0: not rational.
+long stepsPerCycle(const VanBerkelLens& lens) {
+    constexpr int kLargestDenominator = 64;
+    for (int q = 1; q <= kLargestDenominator; ++q)
+        if (whole(q * lens.subpixelsPerLens) && whole(q * lens.rowShiftSubpixels) &&
+            whole(q * lens.offsetSubpixels))
+            return std::lround(q * lens.subpixelsPerLens);
+    return 0;
+}
+
+} // namespace
 
 LinearPhase lookingGlassPhase(const LookingGlassCalibration& unit) {
     const double lensesPerWidth =
@@ -25,7 +42,7 @@ LinearPhase lookingGlassPhase(const LookingGlassCalibration& unit) {
     return phase;
 }
 
-LinearPhase vanBerkelPhase(const VanBerkelLens& lens) {
+LinearPhase vanBerkelPhase(const VanBerkelLens& lens, int views) {
     const double period = lens.subpixelsPerLens;
     LinearPhase phase;
     phase.perColumn = 3 / period;
@@ -33,10 +50,8 @@ LinearPhase vanBerkelPhase(const VanBerkelLens& lens) {
     for (int c = 0; c < 3; ++c)
         phase.channel[static_cast<std::size_t>(c)] = c / period;
     phase.offset = lens.offsetSubpixels / period;
-    const bool rational = period == std::floor(period) &&
-                          lens.rowShiftSubpixels == std::floor(lens.rowShiftSubpixels) &&
-                          lens.offsetSubpixels == std::floor(lens.offsetSubpixels);
-    if (rational) phase.offset += 0.5 / period;
+    if (const long steps = stepsPerCycle(lens); steps > 0)
+        phase.offset += 0.5 / static_cast<double>(std::lcm(steps, long{views}));
     return phase;
 }
 

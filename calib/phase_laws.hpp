@@ -27,8 +27,9 @@ struct VanBerkelLens {
     double offsetSubpixels = 0;
 };
 
-/// Where X and the shift are whole numbers every sub-pixel lies exactly on a boundary; half a
-/// phase step is added so that it falls into the middle of its view.
-[[nodiscard]] LinearPhase vanBerkelPhase(const VanBerkelLens& lens);
+/// Where X and the shifts are fractions of small whole numbers, sub-pixels lie exactly on the
+/// boundaries of the N views; half of what phases and boundaries have in common is added, so that
+/// none does and floor gives the view of the exact formula.
+[[nodiscard]] LinearPhase vanBerkelPhase(const VanBerkelLens& lens, int views);
 
 } // namespace autostereo::calib

@@ -140,7 +140,7 @@ calib::LinearPhase DisplayReader::vanBerkel() {
     sheet.subpixelsPerLens = lensNumber("subpixels_per_lens", {1, 1000});
     sheet.rowShiftSubpixels = lensNumber("row_shift_subpixels", {-100, 100});
     sheet.offsetSubpixels = lensNumber("offset_subpixels", {-1000, 1000});
-    return calib::vanBerkelPhase(sheet);
+    return calib::vanBerkelPhase(sheet, profile_.views);
 }
 
 calib::LinearPhase DisplayReader::linear() {

@@ -105,7 +105,8 @@ CLI::App* addRun(CLI::App& app, RunOptions& run) {
 CLI::App* addRender(CLI::App& app, RenderOptions& render) {
     CLI::App* command = app.add_subcommand("render", "Draw one frame to files");
     addScene(*command, render.scene);
-    command->add_option("--frame", render.frame, "Which pair of frames, from 0");
+    command->add_option("--frame", render.frame, "Which pair of frames, from 0")
+        ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53));
     command->add_option_function<std::string>(
         "--method", oneOf(render.method, kMethods, "--method", kLaterMethods),
         "instanced or multipass");

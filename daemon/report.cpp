@@ -46,7 +46,8 @@ Json toJson(const Report& report) {
         {"frames_dropped", report.feed.dropped},
         {"skipped", report.skipped},
         {"stages", stages},
-        {"latency_ms", percentilesJson(report.latencyMs, "p50", "p99")},
+        {"latency_ms", report.latencyMs.at(0.5) ? percentilesJson(report.latencyMs, "p50", "p99")
+                                                : Json(nullptr)},
         {"seconds", report.seconds},
     };
 }
@@ -84,9 +85,13 @@ void writeReport(const Report& report, const std::filesystem::path& file) {
     std::ofstream out(partial);
     out << toJson(report).dump(2) << '\n';
     out.close();
-    if (!out || std::rename(partial.c_str(), file.c_str()) != 0)
+    if (!out || std::rename(partial.c_str(), file.c_str()) != 0) {
+        const int cause = errno;
+        std::error_code ignored;
+        std::filesystem::remove(partial, ignored);
         throw std::runtime_error("report: cannot write " + file.string() + ": " +
-                                 std::strerror(errno));
+                                 std::strerror(cause));
+    }
 }
 
 } // namespace autostereo::daemon

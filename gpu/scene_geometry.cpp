@@ -13,13 +13,14 @@ std::vector<double> depthsInside(const devices::Frame& depth, const calib::Senso
                                  int bottom) {
     std::vector<double> found;
     const devices::FrameMetadata& form = depth.metadata();
+    const calib::CameraModel camera = rig.depth.resized(form.width, form.height);
     for (int y = top; y < bottom; ++y) {
         for (int x = left; x < right; ++x) {
             const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(form.width) +
                                static_cast<std::size_t>(x);
             const std::uint32_t count = depth.depth()[index];
             if (count < range.nearest || count > range.farthest) continue;
-            const auto ray = rig.depth.unproject({x, y});
+            const auto ray = camera.unproject({x, y});
             if (!ray) continue;
             const double z = count * form.depthUnitM;
             found.push_back((rig.colorFromDepth * glm::dvec3{ray->x * z, ray->y * z, z}).z);
@@ -32,8 +33,11 @@ std::vector<double> depthsInside(const devices::Frame& depth, const calib::Senso
 
 CountRange countRange(const DepthMeshParams& mesh, double depthUnitM) {
     constexpr double kLargest = 65534; // 65535 means "no measurement", as 0 does
-    const double nearest = std::clamp(std::ceil(mesh.nearestM / depthUnitM), 1.0, kLargest);
-    const double farthest = std::clamp(std::floor(mesh.farthestM / depthUnitM), nearest, kLargest);
+    constexpr double kRounding = 1e-6; // counts: 1.001 / 0.001 is a little more than 1001
+    const double nearest =
+        std::clamp(std::ceil(mesh.nearestM / depthUnitM - kRounding), 1.0, kLargest);
+    const double farthest =
+        std::clamp(std::floor(mesh.farthestM / depthUnitM + kRounding), nearest, kLargest);
     return {static_cast<std::uint32_t>(nearest), static_cast<std::uint32_t>(farthest)};
 }
 
