@@ -13,17 +13,18 @@ namespace {
 
 bool isSchemeLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
 
-std::map<std::string, std::string> parseQuery(const std::string& uri, const std::string& text) {
-    std::map<std::string, std::string> query;
+void parseQuery(const std::string& text, Uri& uri) {
     std::istringstream fields(text);
     for (std::string field; std::getline(fields, field, '&');) {
         const auto equals = field.find('=');
-        if (equals == 0 || equals == std::string::npos)
-            throw AddressError(uri + ": '" + field + "' is no key=value");
-        if (!query.emplace(field.substr(0, equals), field.substr(equals + 1)).second)
-            throw AddressError(uri + ": " + field.substr(0, equals) + " is given twice");
+        const std::string key = field.substr(0, equals);
+        std::string wrong;
+        if (key.empty() || equals == std::string::npos)
+            wrong.append("'").append(field).append("' is no key=value");
+        else if (!uri.query.emplace(key, field.substr(equals + 1)).second)
+            wrong.append(key).append(" is given twice");
+        if (!wrong.empty()) throw AddressError(uri.text + ": " + wrong);
     }
-    return query;
 }
 
 } // namespace
@@ -40,7 +41,7 @@ Uri parseUri(const std::string& text) {
     const std::string rest(colon + 1, text.end());
     const auto mark = rest.find('?');
     uri.path = rest.substr(0, mark);
-    if (mark != std::string::npos) uri.query = parseQuery(text, rest.substr(mark + 1));
+    if (mark != std::string::npos) parseQuery(rest.substr(mark + 1), uri);
     return uri;
 }
 
