@@ -22,6 +22,29 @@ Radial radialAt(const Distortion& k, double r2) {
                                          (denominator * denominator)};
 }
 
+/// Derivative of `distort`; symmetric.
+struct Jacobian {
+    double xx, xy, yy;
+    [[nodiscard]] double determinant() const { return xx * yy - xy * xy; }
+};
+
+Jacobian jacobianAt(const Distortion& k, const glm::dvec2& ray) {
+    const double x = ray.x, y = ray.y;
+    const auto [radial, slope] = radialAt(k, x * x + y * y);
+    return {radial + 2 * x * x * slope + 2 * k.p1 * y + 6 * k.p2 * x,
+            2 * x * y * slope + 2 * k.p1 * x + 2 * k.p2 * y,
+            radial + 2 * y * y * slope + 6 * k.p1 * y + 2 * k.p2 * x};
+}
+
+/// Between the axis and `ray` the model turns back: Newton's method leapt across a fold.
+bool beyondFold(const Distortion& k, const glm::dvec2& ray) {
+    constexpr int kSamples = 16;
+    for (int i = 1; i <= kSamples; ++i)
+        if (!(jacobianAt(k, ray * (static_cast<double>(i) / kSamples)).determinant() > 0))
+            return true;
+    return false;
+}
+
 std::string phrase(const char* name, double value, const char* allowed) {
     char text[128];
     std::snprintf(text, sizeof text, "%s = %g (allowed %s)", name, value, allowed);
@@ -58,22 +81,18 @@ std::optional<glm::dvec2> CameraModel::unproject(const glm::dvec2& pixel) const 
     glm::dvec2 ray = bent;
     for (int step = 0; step < kMostSteps; ++step) {
         const glm::dvec2 error = distort(k, ray) - bent;
-        const double x = ray.x, y = ray.y, r2 = x * x + y * y;
+        const double r2 = ray.x * ray.x + ray.y * ray.y;
         if (!std::isfinite(r2)) return std::nullopt;
-        const auto [radial, slope] = radialAt(k, r2);
-        const double xx = radial + 2 * x * x * slope + 2 * k.p1 * y + 6 * k.p2 * x;
-        const double xy = 2 * x * y * slope + 2 * k.p1 * x + 2 * k.p2 * y;
-        const double yy = radial + 2 * y * y * slope + 6 * k.p1 * y + 2 * k.p2 * x;
-        const double determinant = xx * yy - xy * xy;
-        if (!(determinant > 0)) { // where the model folds back no ray counts: search farther in
-            ray *= 0.5;
-            continue;
-        }
+        const Jacobian slope = jacobianAt(k, ray);
+        // Where the model folds back, pixels have two rays or none.
+        if (!(slope.determinant() > 0)) return std::nullopt;
         if (std::abs(error.x) < kConverged && std::abs(error.y) < kConverged) {
-            if (r2 > k.metricRadius * k.metricRadius) return std::nullopt;
+            if (r2 > k.metricRadius * k.metricRadius || beyondFold(k, ray)) return std::nullopt;
             return ray;
         }
-        ray -= glm::dvec2{yy * error.x - xy * error.y, xx * error.y - xy * error.x} / determinant;
+        ray -= glm::dvec2{slope.yy * error.x - slope.xy * error.y,
+                          slope.xx * error.y - slope.xy * error.x} /
+               slope.determinant();
     }
     return std::nullopt;
 }

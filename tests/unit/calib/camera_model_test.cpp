@@ -41,19 +41,21 @@ std::vector<cv::Point2d> projectedByOpenCv(const CameraModel& camera,
     return pixels;
 }
 
-/// How far from the axis (z = 1 plane, at most 1.5) the model stays one to one: the Jacobian's
-/// determinant, by differences, falls below a tenth nowhere inside.
-double clearRadius(const Distortion& k) {
+/// Determinant of the model's derivative, by differences; not above 0 where it folds back.
+double determinantAt(const Distortion& k, const glm::dvec2& at) {
     constexpr double kStep = 1e-6;
-    for (double r = 0; r < 1.5; r += 0.01)
-        for (double angle = 0; angle < 2 * std::numbers::pi; angle += 0.1) {
-            const glm::dvec2 at{r * std::cos(angle), r * std::sin(angle)};
-            const glm::dvec2 along = (distort(k, at + glm::dvec2{kStep, 0}) - distort(k, at));
-            const glm::dvec2 down = (distort(k, at + glm::dvec2{0, kStep}) - distort(k, at));
-            if (!((along.x * down.y - along.y * down.x) / (kStep * kStep) > 0.1))
+    const glm::dvec2 along = (distort(k, at + glm::dvec2{kStep, 0}) - distort(k, at)) / kStep;
+    const glm::dvec2 down = (distort(k, at + glm::dvec2{0, kStep}) - distort(k, at)) / kStep;
+    return along.x * down.y - along.y * down.x;
+}
+
+/// How far from the axis (z = 1 plane, at most 1) the model stays one to one.
+double clearRadius(const Distortion& k) {
+    for (double r = 0; r < 1; r += 0.01)
+        for (double angle = 0; angle < 2 * std::numbers::pi; angle += 0.1)
+            if (!(determinantAt(k, {r * std::cos(angle), r * std::sin(angle)}) > 0.1))
                 return std::max(r - 0.01, 0.01);
-        }
-    return 1.5;
+    return 1;
 }
 
 TEST(CameraModel, ProjectsAsOpenCvDoes) {
@@ -133,6 +135,28 @@ TEST(CameraModel, WhereTheModelFoldsBackPixelsHaveNoRay) {
             EXPECT_GT(ray->x, 0) << bent;
         }
     }
+}
+
+TEST(CameraModel, NoRayLiesBeyondAFold) {
+    RandomNumbers random(13);
+    int found = 0, wrong = 0;
+    for (int round = 0; round < 1000; ++round) {
+        const CameraModel camera = random.camera(1);
+        const Intrinsics& i = camera.intrinsics;
+        for (int sample = 0; sample < 50; ++sample) {
+            const glm::dvec2 bent{random.between(-1.5, 1.5), random.between(-1.5, 1.5)};
+            const auto ray = camera.unproject({bent.x * i.fx + i.cx, bent.y * i.fy + i.cy});
+            if (!ray) continue;
+            ++found;
+            bool folds = false;
+            for (int step = 1; step <= 100; ++step)
+                folds |= determinantAt(camera.distortion, *ray * (step / 100.0)) < 0;
+            wrong += folds;
+        }
+    }
+    // A fold narrower than the sixteenth of the way between two looks may be missed.
+    EXPECT_LE(500 * wrong, found) << wrong << " of " << found;
+    EXPECT_GT(found, 20'000);
 }
 
 TEST(CameraModel, ResizedSeesTheSameRaysAtScaledPixels) {

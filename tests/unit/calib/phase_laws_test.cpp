@@ -52,8 +52,8 @@ TEST(LookingGlassPhase, IsTheVendorsFormula) {
             unit.flipImageX = flipped;
             const LinearPhase law = lookingGlassPhase(unit);
             Real worst = 0;
-            for (int y = 0; y < unit.screenHeight; y += 7)
-                for (int x = 0; x < unit.screenWidth; x += 11)
+            for (int y = 0; y < unit.screenHeight; y += 17)
+                for (int x = 0; x < unit.screenWidth; x += 23)
                     for (int c = 0; c < 3; ++c)
                         worst = std::max(
                             worst, apart(phaseOf(law, x, y, c), vendorsViewShare(unit, x, y, c)));
@@ -70,8 +70,8 @@ TEST(LookingGlassPhase, GivesTheVendorsViews) {
         display.phase = lookingGlassPhase(unit);
         const ViewMap map = makeViewMap(display, unit.screenWidth, unit.screenHeight);
         int wrong = 0, seen = 0;
-        for (int y = 0; y < unit.screenHeight; y += 5)
-            for (int x = 0; x < unit.screenWidth; x += 7)
+        for (int y = 0; y < unit.screenHeight; y += 17)
+            for (int x = 0; x < unit.screenWidth; x += 19)
                 for (int c = 0; c < 3; ++c) {
                     const Real scaled = kViews * vendorsViewShare(unit, x, y, c);
                     // On a boundary the last bit decides: 2^-32 of phase is 1.2e-8 of a view.
@@ -80,7 +80,7 @@ TEST(LookingGlassPhase, GivesTheVendorsViews) {
                     wrong += map.view(map.phase(x, y, c)) != static_cast<std::uint32_t>(scaled);
                 }
         EXPECT_EQ(wrong, 0) << "pitch " << unit.pitch;
-        EXPECT_GT(seen, unit.screenWidth * unit.screenHeight / 35 * 3);
+        EXPECT_GT(seen, unit.screenWidth * unit.screenHeight / (17 * 19) * 3);
     }
 }
 

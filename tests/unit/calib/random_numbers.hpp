@@ -44,9 +44,9 @@ class RandomNumbers {
         k.k3 = bend * between(-0.03, 0.03);
         k.p1 = bend * between(-0.005, 0.005);
         k.p2 = bend * between(-0.005, 0.005);
-        k.k4 = bend * between(-0.2, 0.2);
-        k.k5 = bend * between(-0.1, 0.1);
-        k.k6 = bend * between(-0.03, 0.03);
+        k.k4 = bend * between(0, 0.2); // the denominator of a real lens has no root
+        k.k5 = bend * between(0, 0.1);
+        k.k6 = bend * between(0, 0.03);
         return camera;
     }
 

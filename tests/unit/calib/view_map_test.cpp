@@ -101,7 +101,7 @@ TEST(ViewPosition, CentresOfTheirShareOfTheFan) {
     EXPECT_DOUBLE_EQ(viewPosition(profile(5), 2), 0);
     EXPECT_DOUBLE_EQ(viewPosition(profile(5), 4), 0.8);
     for (int view = 0; view < 48; ++view)
-        EXPECT_DOUBLE_EQ(viewPosition(profile(48), view), (view - 23.5) / 24);
+        EXPECT_NEAR(viewPosition(profile(48), view), (view - 23.5) / 24, 1e-15);
 }
 
 TEST(ViewPosition, EdgesReachTheEndsOfTheFan) {
@@ -109,7 +109,7 @@ TEST(ViewPosition, EdgesReachTheEndsOfTheFan) {
     EXPECT_DOUBLE_EQ(viewPosition(profile(2, Fan::Edges), 1), 1);
     EXPECT_DOUBLE_EQ(viewPosition(profile(5, Fan::Edges), 1), -0.5);
     for (int view = 0; view < 48; ++view)
-        EXPECT_DOUBLE_EQ(viewPosition(profile(48, Fan::Edges), view), (view - 23.5) / 23.5);
+        EXPECT_NEAR(viewPosition(profile(48, Fan::Edges), view), (view - 23.5) / 23.5, 1e-15);
 }
 
 } // namespace
