@@ -19,7 +19,8 @@ struct ViewMap {
     bool reversed = false; ///< the vendor's view number falls as the eye moves right
 
     [[nodiscard]] std::uint32_t phase(int x, int y, int c) const {
-        return columns[static_cast<std::size_t>(3 * x + c)] + rows[static_cast<std::size_t>(y)];
+        return columns[3 * static_cast<std::size_t>(x) + static_cast<std::size_t>(c)] +
+               rows[static_cast<std::size_t>(y)];
     }
     /// View counted from the left, 0 .. views - 1.
     [[nodiscard]] std::uint32_t view(std::uint32_t phase) const {
