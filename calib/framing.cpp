@@ -43,11 +43,12 @@ void coverAt(const CameraModel& camera, const RigidTransform& colorFromCamera, d
 } // namespace
 
 Framing framePanel(const SensorRig& rig, double panelAspect, double overscan, double focusM) {
-    constexpr double kFarM = 100; // parallax between the cameras is gone
+    constexpr double kFarM = 100;    // parallax between the cameras is gone
+    const double nearM = focusM / 2; // what stands nearer may leave the edge uncovered
     Box color;
     coverAt(rig.color, RigidTransform{}, 1, color);
     Box box = color;
-    for (const double z : {focusM, kFarM})
+    for (const double z : {nearM, focusM, kFarM})
         coverAt(rig.depth, rig.colorFromDepth, z, box);
     if (box.empty()) box = color; // cameras that look past each other: show the colour picture
     const double width =

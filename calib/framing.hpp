@@ -23,7 +23,7 @@ struct Framing {
     }
 };
 
-/// The largest rectangle of the panel's shape that both cameras cover at the focus and beyond,
+/// The largest rectangle of the panel's shape that both cameras cover from half the focus on,
 /// with a margin of `overscan` panel widths at either side (views look past the edges by as much).
 [[nodiscard]] Framing framePanel(const SensorRig& rig, double panelAspect, double overscan,
                                  double focusM);
