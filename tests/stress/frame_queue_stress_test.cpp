@@ -8,7 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <cstdio>
+#include <iostream>
 #include <memory>
 #include <random>
 #include <thread>
@@ -98,10 +98,8 @@ void stress(std::uint64_t elements, Pace writerPace, Pace readerPace) {
     EXPECT_EQ(queue.taken(), seen.taken);
     EXPECT_EQ(queue.pushed(), queue.taken() + queue.dropped());
     EXPECT_GE(queue.taken(), elements / (kLongestLead + Capacity));
-    std::printf("capacity %zu: %llu pushed, %llu taken, %llu dropped\n", Capacity,
-                static_cast<unsigned long long>(queue.pushed()),
-                static_cast<unsigned long long>(queue.taken()),
-                static_cast<unsigned long long>(queue.dropped()));
+    std::cout << "capacity " << Capacity << ": " << queue.pushed() << " pushed, " << queue.taken()
+              << " taken, " << queue.dropped() << " dropped\n";
 }
 
 using autostereo::test::campaign;

@@ -12,7 +12,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
+#include <iostream>
 #include <memory>
 #include <random>
 #include <thread>
@@ -163,12 +163,9 @@ TEST(LiveFeedStress, KeepsItsAccountsThroughStallsAndDisconnections) {
         const FeedCounters counters = feed.counters();
         expectAllAccountedFor(counters.depth, depth);
         expectAllAccountedFor(counters.color, color);
-        std::printf("%llu frames a stream: %llu pairs, %llu given, %llu dropped, %llu reconnects\n",
-                    static_cast<unsigned long long>(frames),
-                    static_cast<unsigned long long>(counters.pairs),
-                    static_cast<unsigned long long>(consumer.given),
-                    static_cast<unsigned long long>(counters.dropped),
-                    static_cast<unsigned long long>(depth.disconnects + color.disconnects));
+        std::cout << frames << " frames a stream: " << counters.pairs << " pairs, "
+                  << consumer.given << " given, " << counters.dropped << " dropped, "
+                  << depth.disconnects + color.disconnects << " reconnects\n";
     }
     EXPECT_GT(consumer.given, frames / 100);
     ASSERT_TRUE(held);

@@ -75,6 +75,7 @@ class FakeSource final : public devices::Source {
 inline std::vector<devices::Duration> regularTimes(int count, devices::Duration period,
                                                    devices::Duration first = {}) {
     std::vector<devices::Duration> times;
+    times.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         times.push_back(first + i * period);
     return times;

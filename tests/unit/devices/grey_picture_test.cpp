@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <numbers>
@@ -16,6 +18,10 @@ namespace {
 
 constexpr int kWidth = 64;
 constexpr int kHeight = 48;
+
+std::size_t indexOf(int x, int y) {
+    return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
+}
 
 calib::CameraModel camera() {
     calib::CameraModel model;
@@ -40,8 +46,7 @@ std::vector<int> greyOf(const std::function<int(int x, int y)>& depthMm) {
     Frame color = std::move(*pool.acquire(metadata));
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x)
-            depth.depth()[static_cast<std::size_t>(y * kWidth + x)] =
-                static_cast<std::uint16_t>(depthMm(x, y));
+            depth.depth()[indexOf(x, y)] = static_cast<std::uint16_t>(depthMm(x, y));
     GreyPicture(camera()).paint(depth, color);
     std::vector<int> grey;
     for (std::size_t i = 0; i < color.pixels().size(); i += 4) {
@@ -53,9 +58,7 @@ std::vector<int> greyOf(const std::function<int(int x, int y)>& depthMm) {
     return grey;
 }
 
-int centre(const std::vector<int>& grey) {
-    return grey[static_cast<std::size_t>(kHeight / 2 * kWidth + kWidth / 2)];
-}
+int centre(const std::vector<int>& grey) { return grey[indexOf(kWidth / 2, kHeight / 2)]; }
 
 TEST(GreyPicture, FadesWithTheDistance) {
     // light = 3 m / (3 m + z) on a wall that faces the camera; half a pixel off the axis
@@ -79,16 +82,15 @@ TEST(GreyPicture, IsDarkerWhereTheSurfaceTurnsAway) {
 TEST(GreyPicture, IsBlackWhereThereIsNoMeasurement) {
     const auto grey = greyOf([](int x, int y) { return y == 3 ? (x % 2 == 0 ? 0 : 65535) : 1500; });
     for (int x = 0; x < kWidth; ++x) {
-        EXPECT_EQ(grey[static_cast<std::size_t>(3 * kWidth + x)], 0);
-        EXPECT_GT(grey[static_cast<std::size_t>(4 * kWidth + x)], 100);
+        EXPECT_EQ(grey[indexOf(x, 3)], 0);
+        EXPECT_GT(grey[indexOf(x, 4)], 100);
     }
 }
 
 TEST(GreyPicture, AnEdgeBetweenSurfacesIsNotASlope) {
     const auto grey = greyOf([](int x, int) { return x < kWidth / 2 ? 1000 : 3000; });
-    const auto row = static_cast<std::size_t>(kHeight / 2 * kWidth);
-    EXPECT_NEAR(grey[row + kWidth / 2 - 1], 255.0 * 3 / 4, 1.0);
-    EXPECT_NEAR(grey[row + kWidth / 2], 255.0 / 2, 1.0);
+    EXPECT_NEAR(grey[indexOf(kWidth / 2 - 1, kHeight / 2)], 255.0 * 3 / 4, 1.0);
+    EXPECT_NEAR(grey[indexOf(kWidth / 2, kHeight / 2)], 255.0 / 2, 1.0);
 }
 
 TEST(GreyPicture, TakesFramesOfAnotherSizeThanTheCamera) {

@@ -39,9 +39,9 @@ class SilentSource final : public Source {
 
 /// What every test needs around a thread; waiting is for the bell, with a generous limit.
 struct Around {
-    test::FakeClock clock;
     FrameQueue<Frame> queue;
     Doorbell bell;
+    test::FakeClock clock;
 
     void waitForEnd(const SourceThread& thread) {
         const auto limit = std::chrono::steady_clock::now() + 10s;
