@@ -44,6 +44,7 @@ Json toJson(const Report& report) {
         {"frames_presented", report.presented},
         {"frames_skipped", report.skippedTotal()},
         {"frames_dropped", report.feed.dropped},
+        {"frames_without_depth", report.withoutDepth},
         {"skipped", report.skipped},
         {"stages", stages},
         {"latency_ms", report.latencyMs.at(0.5) ? percentilesJson(report.latencyMs, "p50", "p99")
@@ -68,10 +69,14 @@ std::string Report::summary() const {
         rate, static_cast<unsigned long long>(skippedTotal()),
         static_cast<unsigned long long>(feed.dropped));
     std::string line = text;
+    const char* separator = ";";
     for (std::size_t i = 0; i < stageNames.size(); ++i) {
-        std::snprintf(text, sizeof text, "%s %s %.1f ms", i == 0 ? ";" : ",", stageNames[i].c_str(),
-                      stageMs[i].at(0.5).value_or(0));
+        const auto median = stageMs[i].at(0.5);
+        if (!median) continue; // results come some frames late
+        std::snprintf(text, sizeof text, "%s %s %.1f ms", separator, stageNames[i].c_str(),
+                      *median);
         line += text;
+        separator = ",";
     }
     if (const auto latency = latencyMs.at(0.5)) {
         std::snprintf(text, sizeof text, "; latency %.1f ms", *latency);

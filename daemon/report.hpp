@@ -19,6 +19,7 @@ struct Report {
     devices::FeedCounters feed;
     std::uint64_t presented = 0;
     std::map<std::string, std::uint64_t> skipped; ///< why -> pairs that needed no drawing
+    std::uint64_t withoutDepth = 0; ///< presented pairs whose depth frame measures nothing
     std::vector<std::string> stageNames;
     std::vector<Percentiles> stageMs;
     Percentiles latencyMs; ///< mid-exposure to present; empty at --speed max

@@ -9,6 +9,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace autostereo::daemon {
@@ -23,6 +24,11 @@ constexpr std::chrono::milliseconds kFrameWait{16};
 bool sameBytes(const devices::Frame& a, const devices::Frame& b) {
     const auto x = a.pixels(), y = b.pixels();
     return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size()) == 0;
+}
+
+bool measuresNothing(const devices::Frame& depth) {
+    return std::ranges::all_of(depth.depth(),
+                               [](std::uint16_t count) { return count == 0 || count == 0xffff; });
 }
 
 /// One run: frames from the feed through the pipeline to the panel, and the accounts of it.
@@ -95,6 +101,7 @@ class Session {
         pipeline_.render(frame, panel_->framebuffer());
         panel_->present();
         ++report_.presented;
+        if (measuresNothing(frame.depth)) ++report_.withoutDepth;
         if (realtime_)
             report_.latencyMs.add(std::chrono::duration<double, std::milli>(
                                       clock_.now() - frame.depth.metadata().capturedAt)

@@ -77,6 +77,7 @@ TEST_F(LoneStreams, ColorAloneIsTheFlatPictureInThePanelsPlane) {
     // The framing zooms by 4 to 5 % to cover the overscan: 2.7 pixels at 3/8 of the width, each
     // worth 1, and 1.6 of the height, each worth 2.
     EXPECT_LE(largestDifferenceInTheMiddle(pictures.front(), original()), 4);
+    EXPECT_EQ(readReport(folder_ / "report.json").accounts.withoutDepth, 0U);
 }
 
 TEST_F(LoneStreams, DepthAloneIsShadedGrey) {
@@ -97,6 +98,7 @@ class NoMeasurement : public LoneStreams, public testing::WithParamInterface<int
 
 TEST_P(NoMeasurement, ShowsTheColorPicture) {
     const auto pictures = views(color(), depth([](int, int) { return GetParam(); }));
+    EXPECT_EQ(readReport(folder_ / "report.json").accounts.withoutDepth, 1U);
     // The background lies as far back as the display shows: 0.02 of the width times b = +-7/8 of
     // the fan, 2.8 of 160 pixels sideways, each worth 1; and the zoom as above.
     for (const ColorPicture& picture : pictures)

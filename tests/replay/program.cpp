@@ -58,11 +58,6 @@ RunReport::Stream streamOf(const nlohmann::json& json) {
     return {json.at("in"), json.at("paired"), json.at("unpaired"), json.at("damaged")};
 }
 
-std::optional<double> numberOrNothing(const nlohmann::json& json) {
-    if (json.is_null()) return std::nullopt;
-    return json.get<double>();
-}
-
 } // namespace
 
 TempFolder::TempFolder() {
@@ -133,9 +128,12 @@ RunReport readReport(const std::string& file) {
                        json.at("frames_in"),
                        json.at("frames_presented"),
                        json.at("frames_skipped"),
-                       json.at("frames_dropped")};
-    report.latencyP50Ms = numberOrNothing(json.at("latency_ms").at("p50"));
-    report.latencyP99Ms = numberOrNothing(json.at("latency_ms").at("p99"));
+                       json.at("frames_dropped"),
+                       json.at("frames_without_depth")};
+    if (const auto& latency = json.at("latency_ms"); !latency.is_null()) {
+        report.latencyP50Ms = latency.at("p50");
+        report.latencyP99Ms = latency.at("p99");
+    }
     report.seconds = json.at("seconds");
     report.renderer = json.at("renderer");
     return report;

@@ -68,7 +68,7 @@ struct RunReport {
     /// What must be the same in two runs of the same frames.
     struct Accounts {
         Stream depth, color;
-        std::uint64_t framesIn, presented, skipped, dropped;
+        std::uint64_t framesIn, presented, skipped, dropped, withoutDepth;
         [[nodiscard]] bool operator==(const Accounts&) const = default;
     };
     Accounts accounts;

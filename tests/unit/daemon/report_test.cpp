@@ -24,6 +24,7 @@ Report exampleReport() {
     report.feed.dropped = 7;
     report.presented = 88;
     report.skipped = {{"hidden", 2}, {"unchanged", 3}};
+    report.withoutDepth = 6;
     report.stageNames = {"upload", "mesh"};
     report.stageMs.resize(2);
     for (int i = 0; i <= 100; ++i)
@@ -74,6 +75,7 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
         "frames_presented": 88,
         "frames_skipped": 5,
         "frames_dropped": 7,
+        "frames_without_depth": 6,
         "skipped": {"hidden": 2, "unchanged": 3},
         "stages": {
             "upload": {"p50_ms": 50.0, "p99_ms": 99.0},
@@ -147,7 +149,7 @@ TEST_F(ReportFile, SaysWhereItCannotWrite) {
 
 TEST(ReportSummary, IsOneLineForPeople) {
     EXPECT_EQ(exampleReport().summary(), "100 frames in, 88 presented (22.0/s), 5 skipped, "
-                                         "7 dropped; upload 50.0 ms, mesh 0.0 ms; latency 42.0 ms");
+                                         "7 dropped; upload 50.0 ms; latency 42.0 ms");
     EXPECT_EQ(Report{}.summary(), "0 frames in, 0 presented (0.0/s), 0 skipped, 0 dropped");
 }
 
