@@ -63,41 +63,42 @@ class DamagedRecording : public ::testing::Test {
   protected:
     void SetUp() override {
         AUTOSTEREO_NEED_DATA("k4a-mug/recording.mkv");
-        original_ = devices::readFile(test::dataDir() / "k4a-mug/recording.mkv", 64U << 20U);
-        path_ = folder_.write("damaged.mkv",
-                              {reinterpret_cast<const char*>(original_.data()), original_.size()});
-        fd_ = ::open(path_.c_str(), O_RDWR | O_CLOEXEC);
-        ASSERT_GE(fd_, 0);
+        original = devices::readFile(test::dataDir() / "k4a-mug/recording.mkv", 64U << 20U);
+        path = folder.write("damaged.mkv",
+                            {reinterpret_cast<const char*>(original.data()), original.size()});
+        fd = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+        ASSERT_GE(fd, 0);
     }
     void TearDown() override {
-        if (fd_ >= 0) ::close(fd_);
+        if (fd >= 0) ::close(fd);
     }
     void put(std::size_t at, std::byte value) const {
-        ASSERT_EQ(::pwrite(fd_, &value, 1, static_cast<off_t>(at)), 1);
+        ASSERT_EQ(::pwrite(fd, &value, 1, static_cast<off_t>(at)), 1);
     }
     void flip(std::size_t at, std::byte mask, Outcome& outcome) const {
-        put(at, original_[at] ^ mask);
-        play(path_, outcome,
+        put(at, original[at] ^ mask);
+        play(path, outcome,
              "byte " + std::to_string(at) + " mask " + std::to_string(static_cast<int>(mask)));
-        put(at, original_[at]);
+        put(at, original[at]);
     }
 
-    test::ScratchFolder folder_;
-    std::vector<std::byte> original_;
-    std::filesystem::path path_;
-    int fd_ = -1;
+    test::ScratchFolder folder;
+    std::vector<std::byte> original;
+    std::filesystem::path path;
+    int fd = -1;
 };
 
 TEST_F(DamagedRecording, cutAnywhere) {
     std::mt19937 random(kSeed);
     std::vector<std::size_t> sizes;
+    sizes.reserve(kCases);
     for (int i = 0; i < kCases; ++i)
-        sizes.push_back(random() % original_.size());
+        sizes.push_back(random() % original.size());
     std::ranges::sort(sizes, std::greater<>{});
     Outcome outcome;
     for (const std::size_t size : sizes) {
-        ASSERT_EQ(::ftruncate(fd_, static_cast<off_t>(size)), 0);
-        play(path_, outcome, "cut to " + std::to_string(size));
+        ASSERT_EQ(::ftruncate(fd, static_cast<off_t>(size)), 0);
+        play(path, outcome, "cut to " + std::to_string(size));
     }
     // Colour ends after 13 % of the file, depth after 57 %: cuts behind them keep those frames.
     EXPECT_GT(outcome.frames, kCases);
@@ -108,7 +109,7 @@ TEST_F(DamagedRecording, bytesFlippedAnywhere) {
     std::mt19937 random(kSeed);
     Outcome outcome;
     for (int i = 0; i < kCases; ++i) {
-        const std::size_t at = random() % original_.size();
+        const std::size_t at = random() % original.size();
         flip(at, static_cast<std::byte>(1 + random() % 255), outcome);
     }
     EXPECT_GT(outcome.frames, kCases); // most flips hit pixels
@@ -133,12 +134,12 @@ TEST_F(DamagedRecording, bytesFlippedInTheStructure) {
 TEST_F(DamagedRecording, laceCountThatHangsTheLibrary) {
     // Fixed lacing with 256 laces in the depth block: flags 0x04, then 0xFF.
     const std::size_t flags = 224667 + 4 + 3;
-    ASSERT_EQ(original_[224667], std::byte{0xA3});
-    const std::byte before = original_[flags];
+    ASSERT_EQ(original[224667], std::byte{0xA3});
+    const std::byte before = original[flags];
     put(flags, std::byte{0x04});
     put(flags + 1, std::byte{0xFF});
     Outcome outcome;
-    play(path_, outcome, "fixed lacing");
+    play(path, outcome, "fixed lacing");
     EXPECT_EQ(outcome.frames, 1); // colour
     EXPECT_EQ(outcome.damaged, 1U);
     put(flags, before);

@@ -13,7 +13,6 @@ namespace autostereo {
 namespace {
 
 using namespace std::chrono_literals;
-using devices::Frame;
 using devices::openInput;
 
 std::filesystem::path mug(const char* file) { return test::dataDir() / "k4a-mug" / file; }
