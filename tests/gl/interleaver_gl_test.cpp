@@ -29,6 +29,10 @@ struct Case {
     gpu::TileFilter filter;
 };
 
+void PrintTo(const Case& tested, std::ostream* out) { // NOLINT(readability-identifier-naming)
+    *out << tested.display << (tested.filter == gpu::TileFilter::Nearest ? " nearest" : " linear");
+}
+
 class InterleaverGlTest : public GlTest, public testing::WithParamInterface<Case> {};
 
 TEST_P(InterleaverGlTest, EverySubpixelShowsTheHostsView) {

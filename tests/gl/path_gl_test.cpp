@@ -13,6 +13,10 @@ struct Case {
     gpu::TileFilter filter;
 };
 
+void PrintTo(const Case& tested, std::ostream* out) { // NOLINT(readability-identifier-naming)
+    *out << tested.uri;
+}
+
 struct Differences {
     std::size_t samples = 0;
     std::size_t overOne = 0;     ///< more than 1/255

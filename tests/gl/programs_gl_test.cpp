@@ -11,6 +11,12 @@ struct Variant {
     std::vector<std::string> defines;
 };
 
+void PrintTo(const Variant& variant, std::ostream* out) { // NOLINT(readability-identifier-naming)
+    *out << variant.shaders.back();
+    for (const std::string& define : variant.defines)
+        *out << ' ' << define;
+}
+
 class ProgramsGlTest : public GlTest, public testing::WithParamInterface<Variant> {};
 
 TEST_P(ProgramsGlTest, Links) {
