@@ -84,6 +84,9 @@ class Session {
         writePicturePng(
             file, gpu::readFramebuffer(panel_->framebuffer(), panel_->width(), panel_->height()));
     }
+    [[nodiscard]] bool endedWithoutPicture() const {
+        return feed_->ended() && report_.presented == 0;
+    }
     [[nodiscard]] bool offscreen() const { return output_ == config::Output::Offscreen; }
 
   private:
@@ -135,12 +138,17 @@ int run(const RunOptions& options) {
     const Report& report = session.accounts();
     spdlog::info("{}", report.summary());
     std::optional<std::filesystem::path> picture = options.snapshot;
-    if (!picture && session.offscreen() && !options.frames) picture = kOffscreenPicture;
+    if (!picture && report.presented > 0 && session.offscreen() && !options.frames)
+        picture = kOffscreenPicture;
     if (picture) {
         session.writePicture(*picture);
         spdlog::info("panel: {}", std::filesystem::absolute(*picture).string());
     }
     if (options.report) writeReport(report, *options.report);
+    if (session.endedWithoutPicture())
+        throw devices::DeviceError(
+            "run: cannot show " + config.input + ": it ended without a pair of frames (" +
+            std::to_string(report.feed.depth.damaged + report.feed.color.damaged) + " damaged)");
     return EXIT_SUCCESS;
 }
 
