@@ -122,7 +122,7 @@ struct Consumer {
 void run(LiveFeed& feed, Consumer& consumer, std::optional<RgbdFrame>& held, const Sensor& depth,
          const Sensor& color) {
     std::mt19937 random(3);
-    const auto limit = std::chrono::steady_clock::now() + 280s;
+    const auto limit = std::chrono::steady_clock::now() + 60s + depth.frames * 1ms;
     while (!feed.ended() && std::chrono::steady_clock::now() < limit) {
         if (auto pair = feed.next(20ms)) {
             ASSERT_NO_FATAL_FAILURE(consumer.look(*pair));
