@@ -20,34 +20,35 @@ Rgb smoothColors(int x, int y) {
 class LoneStreams : public testing::Test {
   protected:
     [[nodiscard]] std::string color() const {
-        return writeColor(folder_ / "color.png", kWidth, kHeight, smoothColors);
+        return writeColor(folder / "color.png", kWidth, kHeight, smoothColors);
     }
     [[nodiscard]] std::string depth(const std::function<int(int, int)>& millimetres) const {
-        return writeDepth(folder_ / "depth.png", kWidth, kHeight, millimetres);
+        return writeDepth(folder / "depth.png", kWidth, kHeight, millimetres);
     }
     /// All views of a still; run on it ends well, too, with its one pair accounted for.
     [[nodiscard]] std::vector<ColorPicture> views(const std::string& colorFile,
                                                   const std::string& depthFile) const {
         const std::string input =
-            "rgbd:" + colorFile + "," + depthFile + "," + cameraFile(folder_, kWidth, kHeight);
-        const std::string display = smallDisplay(folder_);
+            "rgbd:" + colorFile + "," + depthFile + "," + cameraFile(folder, kWidth, kHeight);
+        const std::string display = smallDisplay(folder);
         EXPECT_TRUE(succeeded(runProgram(calling(
             {"run", "--input", input, "--display", display, "--output", "offscreen", "--speed",
-             "max", "--snapshot", folder_ / "panel.png", "--report", folder_ / "report.json"}))));
-        const RunReport report = readReport(folder_ / "report.json");
+             "max", "--snapshot", folder / "panel.png", "--report", folder / "report.json"}))));
+        const RunReport report = readReport(folder / "report.json");
         EXPECT_TRUE(balanced(report));
         EXPECT_EQ(report.accounts.presented, 1U);
 
         EXPECT_TRUE(
             succeeded(runProgram(calling({"render", "--input", input, "--display", display, "--as",
-                                          "views", "--output", folder_ / "views"}))));
+                                          "views", "--output", folder / "views"}))));
         std::vector<ColorPicture> pictures;
+        pictures.reserve(kSmallViews);
         for (int view = 0; view < kSmallViews; ++view)
             pictures.push_back(
-                readColor(folder_ / ("views/view_0" + std::to_string(view) + ".png")));
+                readColor(folder / ("views/view_0" + std::to_string(view) + ".png")));
         return pictures;
     }
-    TempFolder folder_;
+    TempFolder folder;
 };
 
 /// Middle of the picture, away from what a far background leaves uncovered at the edges.
@@ -77,7 +78,7 @@ TEST_F(LoneStreams, ColorAloneIsTheFlatPictureInThePanelsPlane) {
     // The framing zooms by 4 to 5 % to cover the overscan: 2.7 pixels at 3/8 of the width, each
     // worth 1, and 1.6 of the height, each worth 2.
     EXPECT_LE(largestDifferenceInTheMiddle(pictures.front(), original()), 4);
-    EXPECT_EQ(readReport(folder_ / "report.json").accounts.withoutDepth, 0U);
+    EXPECT_EQ(readReport(folder / "report.json").accounts.withoutDepth, 0U);
 }
 
 TEST_F(LoneStreams, DepthAloneIsShadedGrey) {
@@ -98,7 +99,7 @@ class NoMeasurement : public LoneStreams, public testing::WithParamInterface<int
 
 TEST_P(NoMeasurement, ShowsTheColorPicture) {
     const auto pictures = views(color(), depth([](int, int) { return GetParam(); }));
-    EXPECT_EQ(readReport(folder_ / "report.json").accounts.withoutDepth, 1U);
+    EXPECT_EQ(readReport(folder / "report.json").accounts.withoutDepth, 1U);
     // The background lies as far back as the display shows: 0.02 of the width times b = +-7/8 of
     // the fan, 2.8 of 160 pixels sideways, each worth 1; and the zoom as above.
     for (const ColorPicture& picture : pictures)

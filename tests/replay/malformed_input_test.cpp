@@ -21,7 +21,7 @@ class MalformedInput : public testing::Test {
                                            "--input",
                                            input,
                                            "--display",
-                                           smallDisplay(folder_),
+                                           smallDisplay(folder),
                                            "--output",
                                            "offscreen",
                                            "--speed",
@@ -29,7 +29,7 @@ class MalformedInput : public testing::Test {
                                            "--frames",
                                            "2",
                                            "--report",
-                                           folder_ / "report.json"};
+                                           folder / "report.json"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         auto call = calling(arguments);
         call.limit = kNoHang;
@@ -42,10 +42,10 @@ class MalformedInput : public testing::Test {
             return;
         }
         EXPECT_TRUE(succeeded(result));
-        const RunReport::Accounts all = readReport(folder_ / "report.json").accounts;
+        const RunReport::Accounts all = readReport(folder / "report.json").accounts;
         EXPECT_GT(all.presented + all.depth.damaged + all.color.damaged, 0U) << result.err;
     }
-    TempFolder folder_;
+    TempFolder folder;
 };
 
 /// The one real recording, damaged at random places (the same ones every time).
@@ -54,54 +54,54 @@ class DamagedRecording : public MalformedInput {
     void SetUp() override {
         AUTOSTEREO_NEED_DATA("k4a-mug/recording.mkv");
         std::ifstream bytes(dataDir() / "k4a-mug/recording.mkv", std::ios::binary);
-        whole_.assign(std::istreambuf_iterator<char>(bytes), {});
+        whole.assign(std::istreambuf_iterator<char>(bytes), {});
     }
     /// Half of the places in the first part: there the structure is, the rest is pixels.
     [[nodiscard]] std::size_t place() {
         constexpr std::size_t kHead = 16'384;
-        const std::size_t end = random_() % 2 == 0 ? kHead : whole_.size();
-        return std::uniform_int_distribution<std::size_t>(0, end - 1)(random_);
+        const std::size_t end = random() % 2 == 0 ? kHead : whole.size();
+        return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
     }
     static int cases() { return fullCampaign() ? 100 : 6; }
 
-    std::string whole_;
-    std::mt19937 random_{20'240'601};
+    std::string whole;
+    std::mt19937 random{20'240'601};
 };
 
 TEST_F(DamagedRecording, CutOff) {
     for (int i = 0; i < cases(); ++i) {
         const std::size_t length = place();
         SCOPED_TRACE("the first " + std::to_string(length) + " bytes");
-        expectDealtWith(play(folder_.file("cut.mkv", whole_.substr(0, length))));
+        expectDealtWith(play(folder.file("cut.mkv", whole.substr(0, length))));
     }
 }
 
 TEST_F(DamagedRecording, OneByteFlipped) {
     for (int i = 0; i < cases(); ++i) {
         const std::size_t at = place();
-        std::string bytes = whole_;
-        bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1 + random_() % 255));
+        std::string bytes = whole;
+        bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1 + random() % 255));
         SCOPED_TRACE("byte " + std::to_string(at) + " is " +
                      std::to_string(static_cast<unsigned char>(bytes[at])));
-        expectDealtWith(play(folder_.file("flipped.mkv", bytes)));
+        expectDealtWith(play(folder.file("flipped.mkv", bytes)));
     }
 }
 
 TEST_F(MalformedInput, FilesThatAreNotThere) {
-    EXPECT_TRUE(failedPlainly(play(folder_ / "none.mkv"), 3));
-    EXPECT_TRUE(failedPlainly(play("seq:" + folder_ / "none"), 3));
-    EXPECT_TRUE(failedPlainly(play("tum:" + folder_ / "none"), 3));
-    EXPECT_TRUE(failedPlainly(play("rgbd:" + folder_ / "none.png" + ",,"), 3));
-    std::filesystem::create_directory(folder_ / "empty");
-    EXPECT_TRUE(failedPlainly(play("seq:" + folder_ / "empty"), 3));
-    EXPECT_TRUE(failedPlainly(play("tum:" + folder_ / "empty"), 3));
+    EXPECT_TRUE(failedPlainly(play(folder / "none.mkv"), 3));
+    EXPECT_TRUE(failedPlainly(play("seq:" + folder / "none"), 3));
+    EXPECT_TRUE(failedPlainly(play("tum:" + folder / "none"), 3));
+    EXPECT_TRUE(failedPlainly(play("rgbd:" + folder / "none.png" + ",,"), 3));
+    std::filesystem::create_directory(folder / "empty");
+    EXPECT_TRUE(failedPlainly(play("seq:" + folder / "empty"), 3));
+    EXPECT_TRUE(failedPlainly(play("tum:" + folder / "empty"), 3));
 }
 
 TEST_F(MalformedInput, FilesThatAreSomethingElse) {
-    EXPECT_TRUE(failedPlainly(play(folder_.file("empty.mkv", "")), 1));
-    EXPECT_TRUE(failedPlainly(play(folder_.file("text.mkv", "not a recording\n")), 1));
-    EXPECT_TRUE(failedPlainly(play(folder_.file("notes.txt", "not a recording\n"))));
-    expectDealtWith(play("rgbd:" + folder_.file("color.png", "not a picture") + ",,"));
+    EXPECT_TRUE(failedPlainly(play(folder.file("empty.mkv", "")), 1));
+    EXPECT_TRUE(failedPlainly(play(folder.file("text.mkv", "not a recording\n")), 1));
+    EXPECT_TRUE(failedPlainly(play(folder.file("notes.txt", "not a recording\n"))));
+    expectDealtWith(play("rgbd:" + folder.file("color.png", "not a picture") + ",,"));
     EXPECT_TRUE(failedPlainly(play("ftp:somewhere")));
     EXPECT_TRUE(failedPlainly(play("v4l2:/dev/video0")));
     EXPECT_TRUE(failedPlainly(play("sim:nowhere")));
@@ -109,17 +109,17 @@ TEST_F(MalformedInput, FilesThatAreSomethingElse) {
 }
 
 TEST_F(MalformedInput, PicturesOfAWrongSizeAreCounted) {
-    const std::string camera = cameraFile(folder_, 64, 36);
-    const std::string color = writeColor(folder_ / "color.png", 64, 36, [](int x, int y) {
+    const std::string camera = cameraFile(folder, 64, 36);
+    const std::string color = writeColor(folder / "color.png", 64, 36, [](int x, int y) {
         return Rgb{static_cast<std::uint8_t>(3 * x), static_cast<std::uint8_t>(5 * y), 90};
     });
     const std::string depth =
-        writeDepth(folder_ / "depth.png", 48, 30, [](int, int) { return 1000; });
+        writeDepth(folder / "depth.png", 48, 30, [](int, int) { return 1000; });
     const ProgramResult result = play("rgbd:" + color + "," + depth + "," + camera);
     EXPECT_NE(result.err.find("48x30"), std::string::npos) << result.err;
     expectDealtWith(result);
     if (result.exitCode == 0) {
-        EXPECT_EQ(readReport(folder_ / "report.json").accounts.depth.damaged, 1U);
+        EXPECT_EQ(readReport(folder / "report.json").accounts.depth.damaged, 1U);
     }
 }
 
@@ -131,13 +131,13 @@ struct BadCameras {
 class MalformedCameras : public MalformedInput, public testing::WithParamInterface<BadCameras> {};
 
 TEST_P(MalformedCameras, AreRefusedInOneLine) {
-    const std::string color = writeColor(folder_ / "color.png", 64, 36, [](int, int) {
+    const std::string color = writeColor(folder / "color.png", 64, 36, [](int, int) {
         return Rgb{1, 2, 3};
     });
     const std::string depth =
-        writeDepth(folder_ / "depth.png", 64, 36, [](int, int) { return 1000; });
+        writeDepth(folder / "depth.png", 64, 36, [](int, int) { return 1000; });
     const std::string camera =
-        folder_.file("camera.json", std::string("{\"depth\": ") + GetParam().depth + "}");
+        folder.file("camera.json", std::string("{\"depth\": ") + GetParam().depth + "}");
     const ProgramResult asInput = play("rgbd:" + color + "," + depth + "," + camera);
     EXPECT_TRUE(failedPlainly(asInput));
     EXPECT_NE(asInput.err.find("camera.json"), std::string::npos) << asInput.err;
@@ -168,8 +168,8 @@ TEST_F(MalformedInput, WrongCommandLines) {
     EXPECT_TRUE(fails({"run", "--display", "cathode-ray-tube"}));
     EXPECT_TRUE(fails({"run", "--record", "a.mkv"})) << "known, but not in this version";
     EXPECT_TRUE(fails({"render", "--as", "panel"})) << "--output is missing";
-    EXPECT_TRUE(fails({"render", "--as", "hologram", "--output", folder_ / "p.png"}));
-    EXPECT_TRUE(fails({"render", "--as", "view", "--eye", "0,0", "--output", folder_ / "p.png"}));
+    EXPECT_TRUE(fails({"render", "--as", "hologram", "--output", folder / "p.png"}));
+    EXPECT_TRUE(fails({"render", "--as", "view", "--eye", "0,0", "--output", folder / "p.png"}));
     EXPECT_TRUE(fails({"run", "--input", "v4l2:/dev/video0"})) << "known, but not in this version";
     EXPECT_TRUE(fails({"run", "--input", "sim:moon"}));
     EXPECT_TRUE(fails({"run", "--input", "sim:room?fog=1"}));
@@ -177,25 +177,25 @@ TEST_F(MalformedInput, WrongCommandLines) {
 }
 
 TEST_F(MalformedInput, WrongConfigurationsSayWhere) {
-    const std::string config = folder_.file("bad.toml", "[input]\nuri = 5\n");
+    const std::string config = folder.file("bad.toml", "[input]\nuri = 5\n");
     const ProgramResult result = play(kSmallRoom, {"--config", config});
     EXPECT_TRUE(failedPlainly(result, 2));
     EXPECT_NE(result.err.find("bad.toml:2:7: "), std::string::npos) << result.err;
 
-    const std::string display = folder_.file("display.toml", "type = \"van_berkel\"\n]\n");
+    const std::string display = folder.file("display.toml", "type = \"van_berkel\"\n]\n");
     const ProgramResult refused =
         runProgram(calling({"render", "--input", kSmallRoom, "--display", display, "--as", "panel",
-                            "--output", folder_ / "panel.png"}));
+                            "--output", folder / "panel.png"}));
     EXPECT_TRUE(failedPlainly(refused, 2));
     EXPECT_NE(refused.err.find("display.toml:2:1: "), std::string::npos) << refused.err;
-    EXPECT_TRUE(failedPlainly(play(kSmallRoom, {"--config", folder_ / "none.toml"})));
+    EXPECT_TRUE(failedPlainly(play(kSmallRoom, {"--config", folder / "none.toml"})));
 }
 
 TEST_F(MalformedInput, OutputsThatCannotBeWritten) {
-    EXPECT_TRUE(failedPlainly(play(kSmallRoom, {"--snapshot", folder_ / "none/panel.png"}), 1));
+    EXPECT_TRUE(failedPlainly(play(kSmallRoom, {"--snapshot", folder / "none/panel.png"}), 1));
     EXPECT_TRUE(failedPlainly(
-        runProgram(calling({"render", "--input", kSmallRoom, "--display", smallDisplay(folder_),
-                            "--as", "panel", "--output", folder_ / "none/panel.png"})),
+        runProgram(calling({"render", "--input", kSmallRoom, "--display", smallDisplay(folder),
+                            "--as", "panel", "--output", folder / "none/panel.png"})),
         1));
 }
 

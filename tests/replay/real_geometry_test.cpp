@@ -22,13 +22,13 @@ class MugGeometry : public testing::Test {
             calling({"render", "--input", dataDir() / "k4a-mug/recording.mkv", "--display",
                      "slanted-8view-1080p", "--as", as, "--output", output}));
     }
-    TempFolder folder_;
+    TempFolder folder;
 };
 
 TEST_F(MugGeometry, NearMovesLeftAndFarMovesRightAsTheEyeMovesRight) {
-    ASSERT_TRUE(succeeded(render("views", folder_ / "views")));
-    const ColorPicture leftmost = readColor(folder_ / "views/view_00.png");
-    const ColorPicture rightmost = readColor(folder_ / "views/view_07.png");
+    ASSERT_TRUE(succeeded(render("views", folder / "views")));
+    const ColorPicture leftmost = readColor(folder / "views/view_00.png");
+    const ColorPicture rightmost = readColor(folder / "views/view_07.png");
     constexpr Block kPrintOnTheMug{115, 215, 70, 70}, kFrameOfTheWindow{560, 20, 50, 120};
     // The profile's budget lets a point move by 0.02 of the width each way from the middle, 7/8
     // of that to the outermost views: 22 of the tile's 640 pixels.
@@ -42,8 +42,8 @@ TEST_F(MugGeometry, NearMovesLeftAndFarMovesRightAsTheEyeMovesRight) {
 }
 
 TEST_F(MugGeometry, RegisteredDepthIsTheMeasuredOneProjected) {
-    ASSERT_TRUE(succeeded(render("depth", folder_ / "depth.png")));
-    const DepthPicture registered = readDepth(folder_ / "depth.png");
+    ASSERT_TRUE(succeeded(render("depth", folder / "depth.png")));
+    const DepthPicture registered = readDepth(folder / "depth.png");
     const DepthPicture measured = readDepth(dataDir() / "k4a-mug/depth.png");
     const calib::SensorRig rig = devices::readCameraFile(dataDir() / "k4a-mug/camera.json").rig();
 

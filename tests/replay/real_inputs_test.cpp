@@ -39,7 +39,7 @@ class RealInputs : public testing::TestWithParam<RealInput> {
                                            "--display", display};
         if (input.cameras != nullptr)
             arguments.insert(arguments.end(),
-                             {"--rig", folder_.file("cameras.json", input.cameras)});
+                             {"--rig", folder.file("cameras.json", input.cameras)});
         return arguments;
     }
 
@@ -50,7 +50,7 @@ class RealInputs : public testing::TestWithParam<RealInput> {
         return runProgram(calling(arguments));
     }
 
-    TempFolder folder_;
+    TempFolder folder;
 };
 
 /// Real rooms have contrast; a picture that was mostly not drawn has it too, but is black.
@@ -66,44 +66,44 @@ void expectPicture(const ColorPicture& picture, int width, int height) {
 }
 
 TEST_P(RealInputs, RunDrawsFrames) {
-    auto arguments = command("run", smallDisplay(folder_));
+    auto arguments = command("run", smallDisplay(folder));
     arguments.insert(arguments.end(),
                      {"--output", "offscreen", "--speed", "max", "--frames", "2", "--report",
-                      folder_ / "report.json", "--snapshot", folder_ / "panel.png"});
+                      folder / "report.json", "--snapshot", folder / "panel.png"});
     ASSERT_TRUE(succeeded(runProgram(calling(arguments))));
-    expectPicture(readColor(folder_ / "panel.png"), kSmallWidth, kSmallHeight);
-    const RunReport report = readReport(folder_ / "report.json");
+    expectPicture(readColor(folder / "panel.png"), kSmallWidth, kSmallHeight);
+    const RunReport report = readReport(folder / "report.json");
     EXPECT_TRUE(balanced(report));
     EXPECT_EQ(report.accounts.presented, GetParam().pairs);
     EXPECT_EQ(report.latencyP50Ms, std::nullopt) << "unpaced frames have no latency";
 }
 
 TEST_P(RealInputs, RendersQuiltViewsEyeAndDepth) {
-    const std::string display = smallDisplay(folder_);
-    ASSERT_TRUE(succeeded(render("quilt", display, folder_ / "quilt.png")));
-    expectPicture(readColor(folder_ / "quilt.png"), 4 * kSmallTileWidth, 2 * kSmallTileHeight);
+    const std::string display = smallDisplay(folder);
+    ASSERT_TRUE(succeeded(render("quilt", display, folder / "quilt.png")));
+    expectPicture(readColor(folder / "quilt.png"), 4 * kSmallTileWidth, 2 * kSmallTileHeight);
 
-    ASSERT_TRUE(succeeded(render("views", display, folder_ / "views")));
+    ASSERT_TRUE(succeeded(render("views", display, folder / "views")));
     for (int view = 0; view < kSmallViews; ++view)
-        expectPicture(readColor(folder_ / ("views/view_0" + std::to_string(view) + ".png")),
+        expectPicture(readColor(folder / ("views/view_0" + std::to_string(view) + ".png")),
                       kSmallTileWidth, kSmallTileHeight);
 
-    ASSERT_TRUE(succeeded(render("view", display, folder_ / "view.png")));
-    expectPicture(readColor(folder_ / "view.png"), kSmallWidth, kSmallHeight);
+    ASSERT_TRUE(succeeded(render("view", display, folder / "view.png")));
+    expectPicture(readColor(folder / "view.png"), kSmallWidth, kSmallHeight);
 
-    ASSERT_TRUE(succeeded(render("depth", display, folder_ / "depth.png")));
-    const DepthPicture depth = readDepth(folder_ / "depth.png");
+    ASSERT_TRUE(succeeded(render("depth", display, folder / "depth.png")));
+    const DepthPicture depth = readDepth(folder / "depth.png");
     EXPECT_EQ(depth.width, GetParam().colorWidth);
     EXPECT_EQ(depth.height, GetParam().colorHeight);
 }
 
 TEST_P(RealInputs, FillTheShippedDisplays) {
-    ASSERT_TRUE(succeeded(render("panel", "slanted-8view-1080p", folder_ / "eight.png")));
-    expectPicture(readColor(folder_ / "eight.png"), 1920, 1080);
-    ASSERT_TRUE(succeeded(render("panel", "barrier-5view", folder_ / "five.png")));
-    expectPicture(readColor(folder_ / "five.png"), 1600, 1200);
-    ASSERT_TRUE(succeeded(render("panel", "preview", folder_ / "preview.png")));
-    expectPicture(readColor(folder_ / "preview.png"), 1920, 1080);
+    ASSERT_TRUE(succeeded(render("panel", "slanted-8view-1080p", folder / "eight.png")));
+    expectPicture(readColor(folder / "eight.png"), 1920, 1080);
+    ASSERT_TRUE(succeeded(render("panel", "barrier-5view", folder / "five.png")));
+    expectPicture(readColor(folder / "five.png"), 1600, 1200);
+    ASSERT_TRUE(succeeded(render("panel", "preview", folder / "preview.png")));
+    expectPicture(readColor(folder / "preview.png"), 1920, 1080);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -35,16 +35,16 @@ class Window : public testing::Test {
         call.environment = {"DISPLAY=" + server.display(), "WAYLAND_DISPLAY="};
         return call;
     }
-    TempFolder folder_;
+    TempFolder folder;
 };
 
 TEST_F(Window, CoversTheMonitorWithThePanelBitForBit) {
-    ASSERT_TRUE(succeeded(runProgram(
-        calling(still({"--output", "offscreen", "--snapshot", folder_ / "panel.png"})))));
-    const ColorPicture panel = readColor(folder_ / "panel.png");
+    ASSERT_TRUE(succeeded(
+        runProgram(calling(still({"--output", "offscreen", "--snapshot", folder / "panel.png"})))));
+    const ColorPicture panel = readColor(folder / "panel.png");
 
     const XServer server(1920, 1080);
-    RunningProgram program(on(server, still({"--report", folder_ / "report.json"})));
+    RunningProgram program(on(server, still({"--report", folder / "report.json"})));
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30 * kSlower);
     ColorPicture screen = server.screenshot();
     while (screen != panel && program.running() && std::chrono::steady_clock::now() < deadline) {
@@ -58,14 +58,14 @@ TEST_F(Window, CoversTheMonitorWithThePanelBitForBit) {
 
     program.signal(SIGTERM);
     EXPECT_TRUE(succeeded(program.wait()));
-    const RunReport report = readReport(folder_ / "report.json");
+    const RunReport report = readReport(folder / "report.json");
     EXPECT_TRUE(balanced(report));
     EXPECT_EQ(report.accounts.presented, 1U) << "a picture that stays is drawn once";
 }
 
 TEST_F(Window, PreviewTakesWhateverModeTheMonitorHas) {
     const XServer server(800, 600);
-    const std::string snapshot = folder_ / "panel.png";
+    const std::string snapshot = folder / "panel.png";
     ASSERT_TRUE(
         succeeded(runProgram(on(server, {"run", "--input", kSmallRoom, "--display", "preview",
                                          "--frames", "1", "--snapshot", snapshot}))));
