@@ -50,7 +50,7 @@ int check(const CheckOptions& options) {
             const std::string extension = file.extension().string();
             const std::string what = extension == ".toml" ? inspectToml(file)
                                      : extension == ".json"
-                                         ? (static_cast<void>(loadRig(file)), "rig")
+                                         ? (static_cast<void>(config::loadRig(file)), "rig")
                                          : inspectRecording(file.string());
             std::cout << file.string() << ": good (" << what << ")\n";
         } catch (const std::exception& error) {

@@ -2,7 +2,6 @@
 
 #include "devices/live_feed.hpp"
 #include "devices/paced_source.hpp"
-#include "devices/replay/calibration_files.hpp"
 #include "devices/replay_feed.hpp"
 #include "devices/single_stream.hpp"
 #include "gpu/offscreen_panel.hpp"
@@ -54,18 +53,9 @@ calib::DisplayProfile chooseDisplay(const config::Config& config) {
     return display;
 }
 
-calib::SensorRig loadRig(const std::filesystem::path& file) {
-    if (file.extension() != ".json") return config::loadRig(file);
-    try {
-        return devices::readCameraFile(file).rig();
-    } catch (const std::runtime_error& error) {
-        throw config::ConfigError(error.what());
-    }
-}
-
 devices::Input openScene(const config::Config& config) {
     std::optional<calib::SensorRig> rig;
-    if (config.rig) rig = loadRig(*config.rig);
+    if (config.rig) rig = config::loadRig(*config.rig);
     devices::Input input = devices::openInput(config.input, rig);
     if (!input.rig) {
         input.rig = config::exampleRig();

@@ -16,9 +16,6 @@ namespace autostereo::daemon {
 /// The profile that the options or the configuration name, else "preview".
 [[nodiscard]] calib::DisplayProfile chooseDisplay(const config::Config& config);
 
-/// A rig from its own file: TOML, or camera.json by the extension. Throws ConfigError.
-[[nodiscard]] calib::SensorRig loadRig(const std::filesystem::path& file);
-
 /// The input with both streams and a rig. Throws DeviceError, ConfigError.
 [[nodiscard]] devices::Input openScene(const config::Config& config);
 
