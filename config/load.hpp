@@ -28,7 +28,7 @@ class ConfigError : public std::runtime_error {
 /// Names of the embedded profiles, sorted.
 [[nodiscard]] std::vector<std::string> displayNames();
 
-/// Rig file (TOML) -> SensorRig. Throws ConfigError.
+/// Rig file (TOML, or camera.json by its extension) -> SensorRig. Throws ConfigError.
 [[nodiscard]] calib::SensorRig loadRig(const std::filesystem::path& file);
 /// The embedded rigs/example.toml: nominal cameras for inputs without a calibration.
 [[nodiscard]] calib::SensorRig exampleRig();
