@@ -4,6 +4,9 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
+# Clones in other folders share compiled objects.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+
 # Everything CMakeLists.txt asks for, and the software renderer for machines without a GPU.
 build_packages=(
     g++ cmake ninja-build ccache pkg-config

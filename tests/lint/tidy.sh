@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # usage: tidy.sh --changed|--all BUILD_FOLDER
 # clang-tidy on the sources of BUILD_FOLDER's compile_commands.json: on all of them, or for at most
-# five minutes on those that differ from the main branch (on main itself: from 30 commits ago) or
+# three minutes on those that differ from the main branch (on main itself: from 30 commits ago) or
 # include a header that does. Too slow for a lint of every ctest run: 2 to 14 s a file.
 source "$(dirname "$0")/common.sh"
 need clang-tidy
@@ -41,7 +41,7 @@ tidy_one() {
 if [[ $1 == --all ]]; then
     candidates=$(sources '*.cpp') deadline=$((EPOCHSECONDS + 86400))
 else
-    candidates=$(changed_sources) deadline=$((EPOCHSECONDS + 300))
+    candidates=$(changed_sources) deadline=$((EPOCHSECONDS + 180))
 fi
 mapfile -t files < <(for file in $candidates; do
     ! grep -qF "\"$PWD/$file\"" "$build/compile_commands.json" || echo "$file"

@@ -16,7 +16,7 @@ ProgramResult check(std::vector<std::string> files) {
 }
 
 TEST(CheckCommand, EveryShippedFileIsGood) {
-    const std::filesystem::path config = std::filesystem::path(AUTOSTEREO_SOURCE_DIR) / "config";
+    const std::filesystem::path config = sourceDir() / "config";
     std::vector<std::string> files{config / "default.toml"};
     for (const char* folder : {"displays", "rigs"})
         for (const auto& entry : std::filesystem::directory_iterator(config / folder))

@@ -10,6 +10,8 @@ std::filesystem::path dataDir() {
     return AUTOSTEREO_DATA_DEFAULT;
 }
 
+std::filesystem::path sourceDir() { return AUTOSTEREO_SOURCE_DIR; }
+
 bool required(const char* what) {
     const char* list = std::getenv("AUTOSTEREO_REQUIRE");
     return list != nullptr &&

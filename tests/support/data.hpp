@@ -7,6 +7,9 @@ namespace autostereo::test {
 /// Folder with real recordings: $AUTOSTEREO_DATA, else the one found at configuration.
 [[nodiscard]] std::filesystem::path dataDir();
 
+/// The project's own folder, for tests that read what it ships.
+[[nodiscard]] std::filesystem::path sourceDir();
+
 /// True when $AUTOSTEREO_REQUIRE (a comma-separated list) names `what`: skipping is no option.
 [[nodiscard]] bool required(const char* what);
 

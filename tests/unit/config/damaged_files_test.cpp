@@ -1,4 +1,5 @@
 #include "config/load.hpp"
+#include "tests/support/data.hpp"
 #include "tests/unit/config/temp_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace autostereo::config {
 namespace {
 
 std::string shipped(const std::string& name) {
-    std::ifstream in(AUTOSTEREO_SOURCE_DIR "/config/" + name, std::ios::binary);
+    std::ifstream in(test::sourceDir() / "config" / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 

@@ -1,4 +1,5 @@
 #include "config/load.hpp"
+#include "tests/support/data.hpp"
 #include "tests/unit/config/temp_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -150,7 +151,7 @@ TEST_F(LoadConfig, malformedSaysWhatAndWhere) {
 }
 
 TEST_F(LoadConfig, kindOfGoesByContent) {
-    const std::filesystem::path source = AUTOSTEREO_SOURCE_DIR "/config";
+    const std::filesystem::path source = test::sourceDir() / "config";
     const std::filesystem::path displays = source / "displays";
     EXPECT_EQ(kindOf(source / "default.toml"), FileKind::Config);
     EXPECT_EQ(kindOf(source / "rigs/example.toml"), FileKind::Rig);

@@ -1,5 +1,6 @@
 #include "calib/phase_laws.hpp"
 #include "config/load.hpp"
+#include "tests/support/data.hpp"
 #include "tests/unit/config/temp_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ TEST_F(LoadDisplay, shippedProfilesAreWhole) {
         EXPECT_FALSE(display.provenance.empty());
 
         const auto fromDisk =
-            loadDisplay(AUTOSTEREO_SOURCE_DIR "/config/displays/" + name + ".toml");
+            loadDisplay((test::sourceDir() / "config/displays" / (name + ".toml")).string());
         EXPECT_EQ(fromDisk.name, name);
         EXPECT_EQ(fromDisk.model, display.model);
         EXPECT_EQ(fromDisk.phase.offset, display.phase.offset);

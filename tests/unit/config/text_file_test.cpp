@@ -1,6 +1,7 @@
 #include "config/text_file.hpp"
 
 #include "config/load.hpp"
+#include "tests/support/data.hpp"
 #include "tests/unit/config/temp_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +15,7 @@ TEST_F(TextFile, embeddedTextsAreTheFilesByteForByte) {
     const auto names = embeddedNames("");
     EXPECT_EQ(names.size(), 6U);
     for (const std::string& name : names)
-        EXPECT_EQ(embeddedText(name), readTextFile(AUTOSTEREO_SOURCE_DIR "/config/" + name))
-            << name;
+        EXPECT_EQ(embeddedText(name), readTextFile(test::sourceDir() / "config" / name)) << name;
     EXPECT_TRUE(embeddedText("no.toml").empty());
 }
 

@@ -1,5 +1,6 @@
 #include "gpu/gl/error.hpp"
 #include "gpu/gl/shader_source.hpp"
+#include "tests/support/data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace autostereo::gpu::gl {
 namespace {
 
 std::string fileText(const std::string& name) {
-    std::ifstream in(AUTOSTEREO_SOURCE_DIR "/gpu/shaders/" + name, std::ios::binary);
+    std::ifstream in(test::sourceDir() / "gpu/shaders" / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
