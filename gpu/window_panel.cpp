@@ -12,6 +12,10 @@ namespace autostereo::gpu {
 
 namespace {
 
+/// Once per process and never undone: GLFW would terminate EGL with it, and Mesa then leaks what
+/// its unloaded modules own.
+bool startGlfw() { return glfwInit() == GLFW_TRUE; }
+
 std::span<GLFWmonitor*> monitors() {
     int count = 0;
     GLFWmonitor** first = glfwGetMonitors(&count);
@@ -57,16 +61,9 @@ void setHints(const GLFWvidmode& mode, bool debugContext) {
 
 } // namespace
 
-GlfwLibrary::GlfwLibrary() : running_(glfwInit() == GLFW_TRUE) {}
-
-GlfwLibrary::~GlfwLibrary() {
-    if (running_) glfwTerminate();
-}
-
 std::vector<MonitorInfo> listMonitors() {
-    const GlfwLibrary glfw;
     std::vector<MonitorInfo> found;
-    if (!glfw.running()) return found;
+    if (!startGlfw()) return found;
     for (GLFWmonitor* monitor : monitors()) {
         const GLFWvidmode* mode = glfwGetVideoMode(monitor);
         found.push_back(
@@ -76,7 +73,7 @@ std::vector<MonitorInfo> listMonitors() {
 }
 
 WindowPanel::WindowPanel(int width, int height, bool force, bool debugContext) {
-    if (!glfw_.running())
+    if (!startGlfw())
         throw DisplayNotFound(
             "window: cannot reach a display server: is DISPLAY or WAYLAND_DISPLAY set?");
     GLFWmonitor* monitor = chooseMonitor(width, height, force);

@@ -20,19 +20,6 @@ struct MonitorInfo {
 /// Monitors of the current display server; empty where there is none.
 [[nodiscard]] std::vector<MonitorInfo> listMonitors();
 
-/// GLFW's library state, for as long as one of these lives (one at a time).
-class GlfwLibrary {
-  public:
-    GlfwLibrary();
-    ~GlfwLibrary();
-    GlfwLibrary(const GlfwLibrary&) = delete;
-    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
-    [[nodiscard]] bool running() const { return running_; }
-
-  private:
-    bool running_;
-};
-
 /// Full screen on one monitor in its current mode, one texel to one pixel. Swaps on vertical sync.
 class WindowPanel final : public Panel {
   public:
@@ -52,7 +39,6 @@ class WindowPanel final : public Panel {
     [[nodiscard]] std::string description() const override { return description_; }
 
   private:
-    GlfwLibrary glfw_;
     GLFWwindow* window_ = nullptr;
     int width_ = 0;
     int height_ = 0;
