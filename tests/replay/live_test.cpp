@@ -43,7 +43,7 @@ TEST(Live, AccountsBalanceAndPicturesAreFresh) {
 
 TEST(Live, ADisplayTooHeavyDropsFrames) {
     const RunReport report = live("looking-glass-portrait", std::string(kSmallPerson) + "&fps=60",
-                                  std::chrono::seconds(fullCampaign() ? 60 : 8));
+                                  std::chrono::seconds((fullCampaign() ? 60 : 8) * kSlower));
     expectDropsNotLag(report);
     const RunReport::Accounts& all = report.accounts;
     if (report.renderer.starts_with("llvmpipe")) {
