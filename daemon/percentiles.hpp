@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -23,9 +24,8 @@ class Percentiles {
     [[nodiscard]] std::optional<double> at(double share) const {
         if (samples_.empty()) return std::nullopt;
         std::vector<double> sorted = samples_;
-        const auto rank =
-            static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5);
-        const auto place = sorted.begin() + static_cast<std::ptrdiff_t>(rank);
+        const auto rank = std::lround(share * static_cast<double>(sorted.size() - 1));
+        const auto place = sorted.begin() + rank;
         std::nth_element(sorted.begin(), place, sorted.end());
         return *place;
     }

@@ -17,6 +17,7 @@ std::unique_ptr<ViewSynthesis> makeViewSynthesis(Method method,
 
 gl::Texture makeViewPositions(const calib::DisplayProfile& display) {
     std::vector<float> positions;
+    positions.reserve(static_cast<std::size_t>(display.views));
     for (int view = 0; view < display.views; ++view)
         positions.push_back(static_cast<float>(calib::viewPosition(display, view)));
     gl::Texture texture(GL_R32F, display.views, 1);
