@@ -30,7 +30,7 @@ EGLDisplay surfacelessDisplay() {
 } // namespace
 
 SurfacelessContext::SurfacelessContext(bool debug) {
-    const EGLDisplay display = surfacelessDisplay();
+    EGLDisplay display = surfacelessDisplay();
     eglBindAPI(EGL_OPENGL_API);
     const std::array<EGLint, 3> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
@@ -56,7 +56,7 @@ SurfacelessContext::SurfacelessContext(bool debug) {
 }
 
 SurfacelessContext::~SurfacelessContext() {
-    const EGLDisplay display = eglGetCurrentDisplay();
+    EGLDisplay display = eglGetCurrentDisplay();
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display, context_);
 }
