@@ -38,6 +38,11 @@ struct Layer {
     int height = 0;
     std::vector<std::optional<Node>> nodes;
     std::vector<std::array<int, 3>> triangles; ///< node numbers
+
+    [[nodiscard]] std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x);
+    }
 };
 
 struct MeshInput {
@@ -142,7 +147,7 @@ inline std::vector<double> registeredDepth(const Layer& layer) {
                     inside = weight >= 0;
                     inverse += weight / n[k]->z;
                 }
-                double& best = nearest[static_cast<std::size_t>(j * layer.width + i)];
+                double& best = nearest[layer.at(i, j)];
                 if (inside) best = std::min(best, 1 / inverse);
             }
     }
@@ -154,11 +159,13 @@ inline void hideFromColor(const MeshInput& in, Layer& layer) {
     const std::vector<double> nearest = registeredDepth(layer);
     for (auto& node : layer.nodes) {
         if (!node) continue;
-        const double i = std::floor(node->s * layer.width), j = std::floor(node->t * layer.height);
+        // Clamped first: a node far outside the picture must not overflow the integer.
+        const int i = static_cast<int>(std::floor(std::clamp(node->s, -1.0, 2.0) * layer.width));
+        const int j = static_cast<int>(std::floor(std::clamp(node->t, -1.0, 2.0) * layer.height));
         if (j < 0 || j >= layer.height) continue;
         const double z = node->z;
-        for (double x = std::fmax(i - 3, 0); x <= std::fmin(i + 3, layer.width - 1); ++x) {
-            const double front = nearest[static_cast<std::size_t>(j * layer.width + x)];
+        for (int x = std::max(i - 3, 0); x <= std::min(i + 3, layer.width - 1); ++x) {
+            const double front = nearest[layer.at(x, j)];
             const bool behind = z > front * (1 + in.params.cutRatio);
             if (behind && node) node->clean = false;
             if (behind && x == i) node.reset();
@@ -193,7 +200,7 @@ inline Sample farthestAround(const MeshInput& in, const Layer& scene, int center
         for (int x = centerX - stride; x <= centerX + stride; ++x) {
             if (x < 0 || y < 0 || x >= in.depth.width || y >= in.depth.height) continue;
             const std::uint32_t count = in.depth.at(x, y);
-            const auto at = static_cast<std::size_t>(y * scene.width + x);
+            const auto at = scene.at(x, y);
             best.measured = best.measured || measured(in, count);
             if (count > best.count && scene.nodes[at] && scene.nodes[at]->clean)
                 best = {count, x, y, true};
@@ -231,6 +238,7 @@ inline Layer backgroundLayer(const MeshInput& in, const Layer& scene, int stride
     for (int j = 0; j < rows; ++j) {
         const int y = std::min(j * stride, in.depth.height - 1);
         std::vector<Sample> row;
+        row.reserve(static_cast<std::size_t>(columns));
         for (int i = 0; i < columns; ++i)
             row.push_back(
                 farthestAround(in, scene, std::min(i * stride, in.depth.width - 1), y, stride));
