@@ -52,7 +52,6 @@ int render(const RenderOptions& options) {
     devices::ReplayFeed feed(std::move(input), config.sync, false);
     const devices::RgbdFrame frame = frameAt(feed, options.frame, config.input);
 
-    // The camera's own picture is no picture for a display: its disparity needs no budget.
     const PanelSize size = offscreenSize(display);
     gpu::OffscreenPanel panel(size.width, size.height, false);
     gpu::Pipeline pipeline(config.pipeline, rig, display, size.width, size.height);

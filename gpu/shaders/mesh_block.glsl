@@ -1,4 +1,4 @@
-// Shared by the passes that build mesh layers; twin of DepthMesh::Block.
+// Shared by the passes that build mesh layers; twin of gpu::MeshBlock.
 layout(std140, binding = 0) uniform MeshBlock {
     mat4 colorFromDepth;
     vec4 colorPinhole; // fx fy cx cy, pixels

@@ -73,7 +73,7 @@ TEST_P(PathGlTest, PanelAgreesWithTheOracle) {
     // One level: atlas and panel round to 8 bits each and the colour is filtered with 8-bit
     // weights. More, at silhouettes only: the rasteriser snaps corners to 1/256 pixel, so a pixel
     // centre that close to an edge may fall to the other surface, and a node that close to the edge
-    // of what the colour camera sees may be kept or not (measured: 0.025 % and 0.011 % at most).
+    // of what the colour camera sees may be kept or not (measured: 0.042 % and 0.013 % at most).
     EXPECT_LE(share(found.overOne), 0.1);
     EXPECT_LE(share(found.overSixteen), 0.03);
 }
