@@ -1,8 +1,8 @@
 #include "calib/phase_laws.hpp"
 
 #include <cmath>
-#include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace autostereo::calib {
 
@@ -23,22 +23,30 @@ long stepsPerCycle(const VanBerkelLens& lens) {
 } // namespace
 
 LinearPhase lookingGlassPhase(const LookingGlassCalibration& unit) {
+    const double width = unit.screenWidth, height = unit.screenHeight;
     const double lensesPerWidth =
-        unit.pitch * unit.screenWidth / unit.dpi * std::cos(std::atan(1 / unit.slope));
+        unit.pitch * width / unit.dpi * std::cos(std::atan(1 / unit.slope));
     const double mirror = unit.flipImageX ? -1 : 1;
-    const double tilt = mirror * unit.screenHeight / (unit.screenWidth * unit.slope);
-    const double subpixel = mirror / (3.0 * unit.screenWidth);
+    const double tilt = mirror * height / (width * unit.slope);
 
-    // a(x, y_up, c) = (u + c subpixel + v tilt) pitch' - center with u, v at pixel centres and
-    // v counted from the bottom; the vendor then mirrors, so phase = -a.
+    // a(x, y_up, c) = (u + v tilt) pitch' - center with u, v at pixel or sub-pixel centres and v
+    // counted from the bottom; the vendor then mirrors, so phase = -a.
+    const auto a = [&](double x, double yUp) {
+        return (x / width + yUp / height * tilt) * lensesPerWidth;
+    };
     LinearPhase phase;
-    phase.perColumn = -lensesPerWidth / unit.screenWidth;
-    phase.perRow = lensesPerWidth * tilt / unit.screenHeight;
-    for (int c = 0; c < 3; ++c)
-        phase.channel[static_cast<std::size_t>(c)] = -c * subpixel * lensesPerWidth;
-    const double firstU = 0.5 / unit.screenWidth;
-    const double firstV = (unit.screenHeight - 0.5) / unit.screenHeight;
-    phase.offset = unit.center - (firstU + firstV * tilt) * lensesPerWidth;
+    phase.perColumn = -a(1, 0);
+    phase.perRow = unit.flipImageY ? -a(0, 1) : a(0, 1);
+    phase.offset = unit.center - a(0.5, unit.flipImageY ? 0.5 : height - 0.5);
+    phase.pattern = unit.pattern;
+    phase.channels.clear();
+    if (unit.cells.empty()) phase.channels.push_back({0, -a(mirror / 3, 0), -a(2 * mirror / 3, 0)});
+    for (const SubpixelCell& cell : unit.cells)
+        phase.channels.push_back(
+            {-a(cell[0][0], cell[0][1]), -a(cell[1][0], cell[1][1]), -a(cell[2][0], cell[2][1])});
+    if (unit.flipSubpixels)
+        for (auto& channels : phase.channels)
+            std::swap(channels[0], channels[2]);
     return phase;
 }
 
@@ -47,12 +55,31 @@ LinearPhase vanBerkelPhase(const VanBerkelLens& lens, int views) {
     LinearPhase phase;
     phase.perColumn = 3 / period;
     phase.perRow = -lens.rowShiftSubpixels / period;
-    for (int c = 0; c < 3; ++c)
-        phase.channel[static_cast<std::size_t>(c)] = c / period;
+    phase.channels = {{0, 1 / period, 2 / period}};
+    if (lens.bgr) std::swap(phase.channels[0][0], phase.channels[0][2]);
     phase.offset = lens.offsetSubpixels / period;
     if (const long steps = stepsPerCycle(lens); steps > 0)
         phase.offset += 0.5 / static_cast<double>(std::lcm(steps, long{views}));
     return phase;
+}
+
+LinearPhase cubeviPhase(const CubeviCalibration& unit) {
+    const double period = unit.subpixelsPerLens;
+    LinearPhase phase;
+    phase.perColumn = 3 / period;
+    phase.perRow = 3 * unit.slope / period;
+    phase.channels = {{0, 1 / period, 2 / period}};
+    phase.offset = (3 * (1 + unit.slope) + unit.offsetSubpixels) / period; // counts from 1
+    return phase;
+}
+
+std::optional<LinearPhase> affinePhase(const DisplayLaw& law, int views) {
+    if (const auto* linear = std::get_if<LinearPhase>(&law)) return *linear;
+    if (const auto* lens = std::get_if<VanBerkelLens>(&law)) return vanBerkelPhase(*lens, views);
+    if (const auto* unit = std::get_if<LookingGlassCalibration>(&law))
+        return lookingGlassPhase(*unit);
+    if (const auto* unit = std::get_if<CubeviCalibration>(&law)) return cubeviPhase(*unit);
+    return std::nullopt;
 }
 
 } // namespace autostereo::calib

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "calib/display_profile.hpp"
+#include "calib/phase_tables.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,30 +9,27 @@
 
 namespace autostereo::calib {
 
-/// Sub-pixel -> view, as a phase in wrapping unsigned fixed point: 2^32 = one cycle (lens period).
-/// phase(x, y, c) = columns[3x + c] + rows[y]; both tables are rounded once from extended
-/// precision, so host and every GPU agree bit for bit and the error is at most 2^-32 cycle.
+/// Sub-pixel -> view, for every display whose views do not depend on where its viewers are.
 /// Value type; reentrant.
 struct ViewMap {
-    std::vector<std::uint32_t> columns; ///< 3 per column: R, G, B
-    std::vector<std::uint32_t> rows;    ///< one per row, top row first
-    std::uint32_t views = 1;
-    bool reversed = false; ///< the vendor's view number falls as the eye moves right
+    static constexpr std::uint32_t kBlack = 0xffff;
 
-    [[nodiscard]] std::uint32_t phase(int x, int y, int c) const {
-        return columns[3 * static_cast<std::size_t>(x) + static_cast<std::size_t>(c)] +
-               rows[static_cast<std::size_t>(y)];
-    }
-    /// View counted from the left, 0 .. views - 1.
+    PhaseTables tables;
+    std::uint32_t views = 1; ///< vendor's
+    bool reversed = false;   ///< the vendor's view number falls as the eye moves right
+    bool upsideDown = false; ///< the panel scans from the bottom: rows of the picture turn round
+    /// Of each vendor's view: the view from the left that it shows, or kBlack. Empty: each its own.
+    std::vector<std::uint32_t> remap;
+
+    [[nodiscard]] std::uint32_t phase(int x, int y, int c) const { return tables.phase(x, y, c); }
+    /// View counted from the left, 0 .. views - 1, or kBlack.
     [[nodiscard]] std::uint32_t view(std::uint32_t phase) const {
         const auto vendor =
             static_cast<std::uint32_t>((static_cast<std::uint64_t>(phase) * views) >> 32);
+        if (!remap.empty()) return remap[vendor];
         return reversed ? views - 1 - vendor : vendor;
     }
 };
-
-/// Tables for a panel of the given mode (the profile's own, or the monitor's for "preview").
-[[nodiscard]] ViewMap makeViewMap(const DisplayProfile& display, int width, int height);
 
 /// Position b in [-1, 1] of view i (counted from the left); b = +1 is the rightmost eye.
 [[nodiscard]] double viewPosition(const DisplayProfile& display, int view);

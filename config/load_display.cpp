@@ -1,11 +1,11 @@
-#include "calib/phase_laws.hpp"
+#include "config/display_reader.hpp"
 #include "config/load.hpp"
 #include "config/phrases.hpp"
 #include "config/text_file.hpp"
-#include "config/toml_reader.hpp"
 #include "config/units.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace autostereo::config {
@@ -15,155 +15,123 @@ namespace {
 constexpr std::string_view kShippedFolder = "displays/";
 constexpr std::string_view kExtension = ".toml";
 
-/// One display file -> DisplayProfile. Every number that describes the glass must be there and
-/// have its origin under [provenance]; what the picture is made of (views, quilt, budget) is a
-/// choice and needs none.
-class DisplayReader {
-  public:
-    DisplayReader(const std::string& file, std::string_view text)
-        : root_(file, text), provenance_(root_.table("provenance")) {}
-
-    calib::DisplayProfile read();
-
-  private:
-    enum class Type { Linear, VanBerkel, LookingGlass, Preview };
-
-    std::string origin(std::string_view key);
-    double physical(TomlReader& table, std::string_view key, Range range);
-    double lensNumber(std::string_view key, Range range);
-    void noteLensOrigin(std::string_view key);
-
-    void readPanel(Type type);
-    void readViewing();
-    void readMultiview(Type type);
-    void readPreviewMode();
-    void readQuilt();
-    void readDepthBudget();
-    calib::LinearPhase lookingGlass();
-    calib::LinearPhase vanBerkel();
-    calib::LinearPhase linear();
-
-    TomlReader root_;
-    TomlReader provenance_;
-    TomlReader lens_ = root_.table("lens");
-    calib::DisplayProfile profile_;
+/// How the types differ in what their files hold.
+struct Type {
+    std::string_view name;
+    bool anyMode = false;   ///< panel.width = height = 0 is allowed
+    bool multiview = false; ///< the file says how many views, their order and their fan
+    bool optics = false;    ///< lenses or slits in front of the panel
 };
 
-std::string DisplayReader::origin(std::string_view key) {
-    auto word = provenance_.choice<std::string>(key, {{"per-unit", "per-unit"},
-                                                      {"template", "template"},
-                                                      {"measured", "measured"},
-                                                      {"assumed", "assumed"}});
-    profile_.provenance.emplace(key, word);
-    return word;
+constexpr std::array kTypes{
+    Type{"linear", false, true, true},        Type{"van_berkel", false, true, true},
+    Type{"looking_glass", false, true, true}, Type{"cubevi", false, true, true},
+    Type{"table", false, true, true},         Type{"lut", false, true, true},
+    Type{"line_screen", false, true, true},   Type{"two_view_tracked", false, true, true},
+    Type{"quilt", true, true, false},         Type{"2d_plus_depth", false, false, false},
+    Type{"side_by_side", true, false, false}, Type{"top_bottom", true, false, false},
+    Type{"row", true, false, false},          Type{"column", true, false, false},
+    Type{"checkerboard", true, false, false}, Type{"anaglyph", true, false, false},
+    Type{"flat", true, false, false}};
+
+Type readType(TomlReader& root) {
+    std::vector<std::string_view> words;
+    for (const Type& type : kTypes)
+        words.push_back(type.name);
+    const auto index = root.wordIndex("type", words);
+    root.check(); // which keys are known depends on it
+    return kTypes.at(index.value_or(0));
 }
 
-double DisplayReader::physical(TomlReader& table, std::string_view key, Range range) {
-    origin(key);
-    return table.number(key, range);
-}
-
-/// The lens sits differently on every unit: a phase from anywhere but this one is a placeholder.
-void DisplayReader::noteLensOrigin(std::string_view key) {
-    const std::string from = origin(key);
-    if (from == "template" || from == "assumed") profile_.placeholder = true;
-}
-
-double DisplayReader::lensNumber(std::string_view key, Range range) {
-    noteLensOrigin(key);
-    return lens_.number(key, range);
-}
-
-void DisplayReader::readPanel(Type type) {
-    auto panel = root_.table("panel");
-    const Range pixels{type == Type::Preview ? 0.0 : 16.0, 16384}; // preview: 0 = any mode
-    profile_.width = panel.integer("width", pixels);
-    profile_.height = panel.integer("height", pixels);
-    if ((profile_.width == 0) != (profile_.height == 0))
+void readPanel(DisplayReader& display, const Type& type) {
+    auto& profile = display.profile;
+    auto panel = display.root.table("panel");
+    const Range pixels{type.anyMode ? 0.0 : 16.0, 16384};
+    profile.width = panel.integer("width", pixels);
+    profile.height = panel.integer("height", pixels);
+    if ((profile.width == 0) != (profile.height == 0))
         panel.reject("height", "must be 0 where width is, and only there");
-    if (type != Type::LookingGlass) // whose dpi says it
-        profile_.widthM = units::metresFromMm(physical(panel, "width_mm", {10, 20000}));
+    if (type.name != "looking_glass") // whose dpi says it
+        profile.widthM = units::metresFromMm(display.physical(panel, "width_mm", {10, 20000}));
+    if (panel.has("edid_names")) profile.edidNames = panel.words("edid_names", {1, 16});
 }
 
-void DisplayReader::readViewing() {
-    auto viewing = root_.table("viewing");
-    profile_.viewingDistanceM = physical(viewing, "distance_m", {0.05, 100});
-    profile_.coneRad = units::radiansFromDeg(physical(viewing, "cone_deg", {1, 120}));
+void readRemap(DisplayReader& display, TomlReader& viewing) {
+    if (!viewing.has("view_remap")) return;
+    auto& profile = display.profile;
+    for (const std::string& word : viewing.words("view_remap", {1, 1000})) {
+        const bool number = !word.empty() && word.size() < 4 &&
+                            word.find_first_not_of("0123456789") == std::string::npos;
+        const int shown = word == "left"    ? 0
+                          : word == "right" ? profile.views - 1
+                          : word == "black" ? calib::DisplayProfile::kBlack
+                          : number          ? std::stoi(word)
+                                            : profile.views;
+        if (shown >= profile.views)
+            viewing.reject("view_remap", '"' + word +
+                                             "\" is no view (allowed left, right, black, "
+                                             "\"0\" to \"" +
+                                             std::to_string(profile.views - 1) + "\")");
+        profile.remap.push_back(shown);
+    }
 }
 
-void DisplayReader::readMultiview(Type type) {
-    auto viewing = root_.table("viewing");
-    profile_.views = viewing.integer("views", {1, 1000});
-    profile_.order = viewing.choice<calib::ViewOrder>(
+void readViewing(DisplayReader& display, const Type& type) {
+    auto& profile = display.profile;
+    auto viewing = display.root.table("viewing");
+    profile.viewingDistanceM = display.physical(viewing, "distance_m", {0.05, 100});
+    profile.coneRad = units::radiansFromDeg(display.physical(viewing, "cone_deg", {1, 120}));
+    if (!type.multiview) return;
+    profile.views = viewing.integer("views", {1, 1000});
+    profile.order = viewing.choice<calib::ViewOrder>(
         "view_order", {{"left_to_right", calib::ViewOrder::LeftToRight},
                        {"right_to_left", calib::ViewOrder::RightToLeft}});
-    profile_.fan = viewing.choice<calib::Fan>(
+    profile.fan = viewing.choice<calib::Fan>(
         "fan", {{"centres", calib::Fan::Centres}, {"edges", calib::Fan::Edges}});
-    if (profile_.fan == calib::Fan::Edges && profile_.views < 2)
+    if (profile.fan == calib::Fan::Edges && profile.views < 2)
         viewing.reject("fan", "\"edges\" needs two views or more (allowed centres)");
-    profile_.phase = type == Type::LookingGlass ? lookingGlass()
-                     : type == Type::VanBerkel  ? vanBerkel()
-                                                : linear();
+    readRemap(display, viewing);
 }
 
-/// No lens. Anaglyph: the red channel is the left view, green and blue are the right one; the two
-/// eyes are the ends of the fan.
-void DisplayReader::readPreviewMode() {
-    const bool anaglyph = root_.choice<bool>("mode", {{"anaglyph", true}, {"2d", false}});
-    profile_.views = anaglyph ? 2 : 1;
-    profile_.fan = anaglyph ? calib::Fan::Edges : calib::Fan::Centres;
-    if (anaglyph)
-        profile_.phase.channel = {0.25, 0.75, 0.75};
-    else
-        profile_.phase.channel = {0.5, 0.5, 0.5};
+void readOptics(DisplayReader& display, const Type& type) {
+    using Kind = calib::Optics::Kind;
+    if (!type.optics) return;
+    auto& optics = display.profile.optics;
+    const bool slit = type.name == "line_screen";
+    optics.kind = slit ? Kind::Slit : type.name == "lut" ? Kind::None : Kind::Lens;
+    if (!display.root.has("optics")) return;
+    auto table = display.root.table("optics");
+    optics.kind = table.choice<Kind>("kind", {{"lens", Kind::Lens}, {"slit", Kind::Slit}},
+                                     slit ? Kind::Slit : Kind::Lens);
+    if (table.has("gap_mm"))
+        optics.gapM = units::metresFromMm(display.physical(table, "gap_mm", {0.001, 1000}));
+    if (table.has("aperture")) optics.aperture = display.physical(table, "aperture", {0, 1});
 }
 
-calib::LinearPhase DisplayReader::lookingGlass() {
-    calib::LookingGlassCalibration unit;
-    unit.pitch = lensNumber("pitch", {1, 1000});
-    unit.slope = lensNumber("slope", {-1000, 1000});
-    if (std::abs(unit.slope) < 1)
-        lens_.reject("slope",
-                     plain(unit.slope) + " is out of range (allowed -1000 to -1 and 1 to 1000)");
-    unit.center = lensNumber("center", {-100, 100});
-    unit.dpi = lensNumber("dpi", {10, 2000});
-    unit.screenWidth = profile_.width;
-    unit.screenHeight = profile_.height;
-    unit.flipImageX = lens_.boolean("flip_image_x");
-    noteLensOrigin("flip_image_x");
-    profile_.widthM = units::metresFromInches(unit.screenWidth / unit.dpi);
-    return calib::lookingGlassPhase(unit);
+calib::DisplayLaw readLaw(DisplayReader& display, const Type& type) {
+    if (type.name == "linear") return readLinear(display);
+    if (type.name == "van_berkel") return readVanBerkel(display);
+    if (type.name == "looking_glass") return readLookingGlass(display);
+    if (type.name == "cubevi") return readCubevi(display);
+    if (type.name == "table") return readTable(display);
+    if (type.name == "lut") return readLut(display);
+    if (type.name == "line_screen") return readLineScreen(display);
+    if (type.name == "two_view_tracked") return readTrackedLens(display);
+    if (type.name == "2d_plus_depth") return readDepthFrame(display);
+    return readFrame(display, type.name);
 }
 
-calib::LinearPhase DisplayReader::vanBerkel() {
-    calib::VanBerkelLens sheet;
-    sheet.subpixelsPerLens = lensNumber("subpixels_per_lens", {1, 1000});
-    sheet.rowShiftSubpixels = lensNumber("row_shift_subpixels", {-100, 100});
-    sheet.offsetSubpixels = lensNumber("offset_subpixels", {-1000, 1000});
-    return calib::vanBerkelPhase(sheet, profile_.views);
-}
-
-calib::LinearPhase DisplayReader::linear() {
-    constexpr Range kCycles{-100, 100};
-    calib::LinearPhase phase;
-    phase.perColumn = lensNumber("per_column", kCycles);
-    phase.perRow = lensNumber("per_row", kCycles);
-    noteLensOrigin("channel");
-    phase.channel = lens_.numbers<3>("channel", kCycles);
-    phase.offset = lensNumber("offset", kCycles);
-    return phase;
-}
-
-void DisplayReader::readQuilt() {
+void readQuilt(DisplayReader& display) {
     constexpr int kLargestTexture = 16384;
-    auto quilt = root_.table("quilt");
-    auto& layout = profile_.quilt;
+    auto& profile = display.profile;
+    auto quilt = display.root.table("quilt");
+    auto& layout = profile.quilt;
     layout.columns = quilt.integer("columns", {1, 100});
     layout.rows = quilt.integer("rows", {1, 100});
     layout.tileWidth = quilt.integer("tile_width", {8, kLargestTexture});
     layout.tileHeight = quilt.integer("tile_height", {8, kLargestTexture});
-    if (layout.columns * layout.rows < profile_.views)
-        quilt.reject("rows", "leaves too few tiles for " + std::to_string(profile_.views) +
+    if (layout.columns * layout.rows < profile.views)
+        quilt.reject("rows", "leaves too few tiles for " + std::to_string(profile.views) +
                                  " views (allowed columns x rows >= views)");
     if (layout.columns * layout.tileWidth > kLargestTexture)
         quilt.reject("tile_width", "makes the quilt too wide (allowed columns x tile_width <= " +
@@ -173,36 +141,49 @@ void DisplayReader::readQuilt() {
                                         std::to_string(kLargestTexture) + ')');
 }
 
-void DisplayReader::readDepthBudget() {
-    auto budget = root_.table("depth_budget");
-    profile_.disparityFar = budget.number("far", {-0.5, -0.001});
-    profile_.disparityNear = budget.number("near", {0.001, 0.5});
+void readDepthBudget(DisplayReader& display) {
+    auto budget = display.root.table("depth_budget");
+    display.profile.disparityFar = budget.number("far", {-0.5, -0.001});
+    display.profile.disparityNear = budget.number("near", {0.001, 0.5});
 }
 
-calib::DisplayProfile DisplayReader::read() {
-    const auto type = root_.choice<Type>("type", {{"linear", Type::Linear},
-                                                  {"van_berkel", Type::VanBerkel},
-                                                  {"looking_glass", Type::LookingGlass},
-                                                  {"preview", Type::Preview}});
-    root_.check(); // which keys are known depends on it
-    profile_.type = root_.text("type");
-    profile_.model = root_.text("model");
-    readPanel(type);
-    readViewing();
-    if (type == Type::Preview)
-        readPreviewMode();
-    else
-        readMultiview(type);
-    readQuilt();
-    readDepthBudget();
-    root_.finish();
-    return profile_;
+/// A unit's file may build on a shipped one: what it gives replaces what that says.
+void inheritBase(DisplayReader& display) {
+    if (!display.root.has("base")) return;
+    const std::string base = display.root.text("base");
+    const std::string file = std::string(kShippedFolder) + base + std::string(kExtension);
+    const auto text = embeddedText(file);
+    if (text.empty()) {
+        const auto names = displayNames();
+        display.root.reject("base", '"' + base + "\" is no shipped display " +
+                                        allowed({names.begin(), names.end()}));
+        display.root.check();
+    }
+    display.root.inherit(file, text);
+}
+
+calib::DisplayProfile readDisplay(const std::string& file, std::string_view text) {
+    DisplayReader display(file, text);
+    inheritBase(display);
+    display.folder = std::filesystem::path(file).parent_path();
+    const Type type = readType(display.root);
+    auto& profile = display.profile;
+    profile.type = type.name;
+    profile.model = display.root.text("model");
+    readPanel(display, type);
+    readViewing(display, type);
+    readQuilt(display);
+    profile.law = readLaw(display, type);
+    readOptics(display, type);
+    readDepthBudget(display);
+    profile.notes = display.root.table("notes").texts();
+    display.root.finish();
+    return profile;
 }
 
 calib::DisplayProfile shippedDisplay(const std::string& name) {
     const std::string file = std::string(kShippedFolder) + name + std::string(kExtension);
-    if (const auto text = embeddedText(file); !text.empty())
-        return DisplayReader(file, text).read();
+    if (const auto text = embeddedText(file); !text.empty()) return readDisplay(file, text);
 
     const auto names = displayNames();
     const std::vector<std::string_view> words(names.begin(), names.end());
@@ -216,7 +197,7 @@ calib::DisplayProfile loadDisplay(const std::string& nameOrFile) {
     const std::filesystem::path file(nameOrFile);
     const bool isFile = file.extension() == kExtension || file.has_parent_path();
     auto profile =
-        isFile ? DisplayReader(nameOrFile, readTextFile(file)).read() : shippedDisplay(nameOrFile);
+        isFile ? readDisplay(nameOrFile, readTextFile(file)) : shippedDisplay(nameOrFile);
     profile.name = isFile ? file.stem().string() : nameOrFile;
     return profile;
 }

@@ -1,155 +1,32 @@
 #include "config/toml_reader.hpp"
 
-#include "config/load.hpp"
 #include "config/phrases.hpp"
+#include "config/toml_document.hpp"
 
-#include <toml++/toml.h>
-
-#include <cmath>
-#include <map>
-#include <set>
-#include <tuple>
+#include <algorithm>
 
 namespace autostereo::config {
 
 namespace {
 
-struct Problem {
-    bool missing; ///< reported last: a misspelt key is unknown and missing at once
-    toml::source_position place;
-    std::string what;
-
-    [[nodiscard]] auto rank() const { return std::tie(missing, place.line, place.column); }
-};
-
-std::string_view typeName(const toml::node& node) {
-    switch (node.type()) {
-    case toml::node_type::table:
-        return "a table";
-    case toml::node_type::array:
-        return "an array";
-    case toml::node_type::string:
-        return "a string";
-    case toml::node_type::integer:
-        return "an integer";
-    case toml::node_type::floating_point:
-        return "a floating-point number";
-    case toml::node_type::boolean:
-        return "a boolean";
-    case toml::node_type::date:
-        return "a date";
-    case toml::node_type::time:
-        return "a time";
-    case toml::node_type::date_time:
-        return "a date-time";
-    default:
-        return "nothing";
-    }
-}
-
-std::string joined(const std::string& path, std::string_view key) {
-    return path.empty() ? std::string(key) : path + '.' + std::string(key);
-}
-
-[[noreturn]] void fail(const std::string& file, const toml::source_position& place,
-                       const std::string& message) {
-    throw ConfigError(oneLine(file + ':' + std::to_string(place.line) + ':' +
-                              std::to_string(place.column) + ": " + message));
-}
-
-toml::table parsed(const std::string& file, std::string_view text) {
-    try {
-        return toml::parse(text);
-    } catch (const toml::parse_error& error) {
-        fail(file, error.source().begin, "syntax: " + std::string(error.description()));
-    }
+std::string counted(Range count) {
+    return count.low == count.high ? plain(count.low)
+                                   : plain(count.low) + " to " + plain(count.high);
 }
 
 } // namespace
 
-/// The parsed text, what was asked of it and what was found wrong.
-struct TomlReader::Document {
-    std::string file;
-    Fallbacks fallbacks;
-    toml::table root;
-    std::set<std::pair<const toml::table*, std::string>> asked;
-    std::map<std::string, Problem> problems; ///< by key; the first complaint stands
-
-    [[nodiscard]] const toml::table* tableAt(const std::string& path) const {
-        return path.empty() ? &root : root.at_path(path).as_table();
-    }
-    [[nodiscard]] const toml::node* find(const std::string& path, std::string_view key) const {
-        const toml::table* table = tableAt(path);
-        return table == nullptr ? nullptr : table->get(key);
-    }
-
-    /// Where a reader looks for a key: the nearest table around it that exists.
-    [[nodiscard]] toml::source_position placeAround(std::string path) const {
-        while (!path.empty() && tableAt(path) == nullptr)
-            path.resize(path.find('.') == std::string::npos ? 0 : path.rfind('.'));
-        return tableAt(path)->source().begin;
-    }
-
-    void note(bool missing, toml::source_position place, const std::string& key,
-              const std::string& what) {
-        problems.try_emplace(key, Problem{missing, place, what});
-    }
-
-    void noteType(const toml::node& node, const std::string& key, const std::string& wanted) {
-        note(false, node.source().begin, key,
-             "is " + std::string(typeName(node)) + ", wanted " + wanted);
-    }
-
-    const toml::node* ask(const std::string& path, std::string_view key, bool hasFallback,
-                          const std::string& wanted) {
-        const toml::node* node = find(path, key);
-        asked.emplace(tableAt(path), key);
-        if (node == nullptr && (!hasFallback || fallbacks == Fallbacks::Refused))
-            note(true, placeAround(path), joined(path, key), "missing, wanted " + wanted);
-        return node;
-    }
-
-    std::optional<double> number(const toml::node& node, const std::string& key, Range range,
-                                 const std::string& wanted) {
-        if (!node.is_number()) {
-            noteType(node, key, wanted);
-            return std::nullopt;
-        }
-        const double value = node.is_integer() ? static_cast<double>(**node.as_integer())
-                                               : **node.as_floating_point();
-        if (value >= range.low && value <= range.high) return value;
-        note(false, node.source().begin, key,
-             plain(value) + (std::isfinite(value) ? " is out of range " : " is no finite number ") +
-                 allowed(range));
-        return std::nullopt;
-    }
-
-    [[nodiscard]] std::string suggestion(const toml::table& table, std::string_view key) const {
-        std::vector<std::string_view> known;
-        for (const auto& [owner, name] : asked)
-            if (owner == &table) known.push_back(name);
-        const auto near = nearestWord(key, known);
-        return near.empty() ? "" : " (did you mean " + std::string(near) + "?)";
-    }
-
-    void noteUnknown(const toml::table& table, const std::string& path) {
-        for (const auto& [key, node] : table) {
-            const std::string full = joined(path, key.str());
-            if (!asked.contains({&table, std::string(key.str())}))
-                note(false, key.source().begin, full, "unknown key" + suggestion(table, key.str()));
-            else if (const toml::table* inner = node.as_table())
-                noteUnknown(*inner, full);
-        }
-    }
-};
-
 TomlReader::TomlReader(const std::string& file, std::string_view text, Fallbacks fallbacks)
-    : owned_(new Document{file, fallbacks, parsed(file, text), {}, {}}), document_(owned_.get()) {}
+    : owned_(new Document(file, text, fallbacks)), document_(owned_.get()) {}
 
 TomlReader::TomlReader(Document& document, std::string path)
     : document_(&document), path_(std::move(path)) {}
 
 TomlReader::~TomlReader() = default;
+
+void TomlReader::inherit(const std::string& file, std::string_view text) {
+    document_->inherit(Document(file, text, document_->fallbacks));
+}
 
 bool TomlReader::has(std::string_view key) const { return document_->find(path_, key) != nullptr; }
 
@@ -160,10 +37,10 @@ TomlReader TomlReader::table(std::string_view key) {
     return {*document_, joined(path_, key)};
 }
 
-bool TomlReader::boolean(std::string_view key) {
+bool TomlReader::boolean(std::string_view key, std::optional<bool> fallback) {
     const std::string wanted = "true or false";
-    const toml::node* node = document_->ask(path_, key, false, wanted);
-    if (node == nullptr) return false;
+    const toml::node* node = document_->ask(path_, key, fallback.has_value(), wanted);
+    if (node == nullptr) return fallback.value_or(false);
     if (!node->is_boolean()) document_->noteType(*node, joined(path_, key), wanted);
     return node->value_or(false);
 }
@@ -212,27 +89,63 @@ std::optional<std::string> TomlReader::textOrAuto(std::string_view key,
     return value == "auto" ? std::nullopt : std::optional(value);
 }
 
-std::vector<double> TomlReader::numberList(std::string_view key, std::size_t count, Range range,
+std::vector<double> TomlReader::numberList(std::string_view key, Range count, Range range,
                                            bool hasFallback) {
-    const std::string wanted =
-        "an array of " + std::to_string(count) + " numbers " + allowed(range);
+    const std::string wanted = "an array of " + counted(count) + " numbers " + allowed(range);
+    const toml::array* array = document_->arrayAt(path_, key, count, wanted, hasFallback);
+    return array == nullptr ? std::vector<double>{}
+                            : document_->numbersOf(*array, joined(path_, key), range);
+}
+
+std::vector<std::vector<double>> TomlReader::numberRows(std::string_view key, Range rows,
+                                                        Range columns, Range range) {
     const std::string full = joined(path_, key);
-    const toml::node* node = document_->ask(path_, key, hasFallback, wanted);
-    if (node == nullptr) return {};
-    const toml::array* array = node->as_array();
-    if (array == nullptr) {
-        document_->noteType(*node, full, wanted);
-        return {};
-    }
-    if (array->size() != count)
-        document_->note(false, node->source().begin, full,
-                        "has " + std::to_string(array->size()) + " elements, wanted " + wanted);
-    std::vector<double> values;
+    const std::string wanted = "an array of " + counted(rows) + " rows of " + counted(columns) +
+                               " numbers " + allowed(range);
+    const toml::array* array = document_->arrayAt(path_, key, rows, wanted, false);
+    std::vector<std::vector<double>> table;
+    if (array == nullptr) return table;
     for (const toml::node& element : *array) {
-        const auto value = document_->number(element, full, range, "a number " + allowed(range));
-        values.push_back(value.value_or(range.low));
+        const toml::array* row = element.as_array();
+        if (row == nullptr) {
+            document_->noteType(element, full, wanted);
+            return {};
+        }
+        const auto size = static_cast<double>(row->size());
+        if (size < columns.low || size > columns.high ||
+            (!table.empty() && row->size() != table.front().size())) {
+            document_->note(false, element.source(), full,
+                            "has a row of " + std::to_string(row->size()) +
+                                " elements, wanted rows of equal length, " + counted(columns));
+            return {};
+        }
+        table.push_back(document_->numbersOf(*row, full, range));
     }
-    return values;
+    return table;
+}
+
+std::vector<std::string> TomlReader::words(std::string_view key, Range count) {
+    const std::string wanted = "an array of " + counted(count) + " strings";
+    std::vector<std::string> found;
+    const toml::array* array = document_->arrayAt(path_, key, count, wanted, false);
+    if (array == nullptr) return found;
+    for (const toml::node& element : *array) {
+        if (!element.is_string()) document_->noteType(element, joined(path_, key), wanted);
+        found.push_back(element.value_or(std::string()));
+    }
+    return found;
+}
+
+std::map<std::string, std::string> TomlReader::texts() {
+    std::map<std::string, std::string> found;
+    const toml::table* table = document_->tableAt(path_);
+    if (table == nullptr) return found;
+    for (const auto& [key, node] : *table) {
+        document_->ask(path_, key.str(), true, "a string");
+        if (!node.is_string()) document_->noteType(node, joined(path_, key.str()), "a string");
+        found.emplace(key.str(), node.value_or(std::string()));
+    }
+    return found;
 }
 
 std::optional<std::size_t> TomlReader::wordIndex(std::string_view key,
@@ -248,26 +161,18 @@ std::optional<std::size_t> TomlReader::wordIndex(std::string_view key,
     const auto value = node->value_or(std::string_view());
     const auto found = std::find(words.begin(), words.end(), value);
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-    document_->note(false, node->source().begin, joined(path_, key),
+    document_->note(false, node->source(), joined(path_, key),
                     '"' + std::string(value) + "\" is unknown " + allowed(words));
     return std::nullopt;
 }
 
 void TomlReader::reject(std::string_view key, const std::string& what) {
     const toml::node* node = document_->find(path_, key);
-    const auto place = node == nullptr ? document_->placeAround(path_) : node->source().begin;
+    const auto place = node == nullptr ? document_->placeAround(path_) : node->source();
     document_->note(false, place, joined(path_, key), what);
 }
 
-void TomlReader::check() const {
-    const auto& problems = document_->problems;
-    if (problems.empty()) return;
-    const auto& [key, problem] =
-        *std::min_element(problems.begin(), problems.end(), [](const auto& a, const auto& b) {
-            return a.second.rank() < b.second.rank();
-        });
-    fail(document_->file, problem.place, key + ": " + problem.what);
-}
+void TomlReader::check() const { document_->check(); }
 
 void TomlReader::finish() {
     document_->noteUnknown(document_->root, "");

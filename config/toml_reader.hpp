@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,10 +37,14 @@ class TomlReader {
     TomlReader(const TomlReader&) = delete;
     TomlReader& operator=(const TomlReader&) = delete;
 
+    /// A text that this one builds on: gives whatever keys are not given here. Root only, before
+    /// any key is read; throws like the constructor.
+    void inherit(const std::string& file, std::string_view text);
+
     [[nodiscard]] bool has(std::string_view key) const;
     [[nodiscard]] TomlReader table(std::string_view key);
 
-    [[nodiscard]] bool boolean(std::string_view key);
+    [[nodiscard]] bool boolean(std::string_view key, std::optional<bool> fallback = std::nullopt);
     [[nodiscard]] int integer(std::string_view key, Range range,
                               std::optional<int> fallback = std::nullopt);
     [[nodiscard]] double number(std::string_view key, Range range,
@@ -57,10 +62,22 @@ class TomlReader {
     numbers(std::string_view key, Range range,
             const std::optional<std::array<double, N>>& fallback = std::nullopt) {
         std::array<double, N> values = fallback.value_or(std::array<double, N>{});
-        if (const auto list = numberList(key, N, range, fallback.has_value()); list.size() == N)
+        if (const auto list = numberList(key, {N, N}, range, fallback.has_value());
+            list.size() == N)
             std::copy(list.begin(), list.end(), values.begin());
         return values;
     }
+
+    /// So many numbers, each in the range; empty where absent with `hasFallback`, or wrong.
+    [[nodiscard]] std::vector<double> numberList(std::string_view key, Range count, Range range,
+                                                 bool hasFallback = false);
+    /// Rows of equal length.
+    [[nodiscard]] std::vector<std::vector<double>> numberRows(std::string_view key, Range rows,
+                                                              Range columns, Range range);
+    /// So many strings.
+    [[nodiscard]] std::vector<std::string> words(std::string_view key, Range count);
+    /// All keys of this table, whatever they are called; each has to be a string.
+    [[nodiscard]] std::map<std::string, std::string> texts();
 
     /// One of a few words, each with what it stands for.
     template<class Value>
@@ -75,6 +92,11 @@ class TomlReader {
         return fallback.value_or(allowed.begin()->second);
     }
 
+    /// The place of the key's word in a list, for lists that are not known beforehand.
+    [[nodiscard]] std::optional<std::size_t> wordIndex(std::string_view key,
+                                                       const std::vector<std::string_view>& words,
+                                                       bool hasFallback = false);
+
     /// Notes that a key's value is wrong for a reason that spans keys. Only the first complaint
     /// about a key counts.
     void reject(std::string_view key, const std::string& what);
@@ -84,14 +106,10 @@ class TomlReader {
     /// Adds the keys of the whole text that no getter asked for, then `check`.
     void finish();
 
-  private:
     struct Document;
 
+  private:
     TomlReader(Document& document, std::string path);
-    [[nodiscard]] std::vector<double> numberList(std::string_view key, std::size_t count,
-                                                 Range range, bool hasFallback);
-    [[nodiscard]] std::optional<std::size_t>
-    wordIndex(std::string_view key, const std::vector<std::string_view>& words, bool hasFallback);
 
     std::unique_ptr<Document> owned_; ///< the root's; empty in other tables
     Document* document_;

@@ -29,13 +29,14 @@ struct ViewsBlock {
 };
 static_assert(sizeof(ViewsBlock) == 32);
 
-/// shaders/interleaver.frag, binding 2.
+/// shaders/interleaver_block.glsl, binding 2.
 struct InterleaverBlock {
     glm::uvec4 fan{0};
     glm::ivec4 tiles{0};
     glm::ivec4 panel{0};
+    glm::vec4 edge{0};
 };
-static_assert(sizeof(InterleaverBlock) == 48);
+static_assert(sizeof(InterleaverBlock) == 64);
 
 /// shaders/mesh_eye.vert and mesh_camera.vert (its first member), binding 3.
 struct EyeBlock {

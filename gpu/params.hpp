@@ -9,6 +9,9 @@ namespace autostereo::gpu {
 enum class Method { Instanced, Multipass };
 /// How a sub-pixel reads its tile.
 enum class TileFilter { Nearest, Linear };
+/// What a sub-pixel shows between two views: the one whose interval it lies in, or a mix that goes
+/// over to the next view across that interval (as Looking Glass's own players have it).
+enum class ViewFilter { Nearest, Blend };
 
 struct DepthMeshParams {
     double nearestM = 0.15; ///< depth outside [nearest, farthest] counts as no measurement
@@ -28,6 +31,7 @@ struct DepthBudgetParams {
 struct SynthesisParams {
     Method method = Method::Instanced;
     TileFilter filter = TileFilter::Linear;
+    ViewFilter views = ViewFilter::Nearest;
 };
 
 struct PipelineParams {

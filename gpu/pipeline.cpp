@@ -2,13 +2,28 @@
 
 namespace autostereo::gpu {
 
+namespace {
+
+std::optional<DisparityView> disparityView(const PipelineParams& params,
+                                           const calib::DisplayProfile& display,
+                                           const calib::QuiltLayout& tiles) {
+    if (!std::holds_alternative<calib::DepthFrame>(display.law)) return std::nullopt;
+    return std::make_optional<DisparityView>(params.mesh, tiles.tileWidth, tiles.tileHeight,
+                                             display.disparityFar);
+}
+
+} // namespace
+
 Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
                    const calib::DisplayProfile& display, int panelWidth, int panelHeight)
     : params_(params), rig_(rig), display_(display),
       panelAspect_(static_cast<double>(panelWidth) / panelHeight), mesh_(params.mesh, rig),
       atlas_(atlasLayout(display, panelWidth, panelHeight)),
       views_(makeViewSynthesis(params.synthesis.method, display, params)),
-      interleaver_(calib::makeViewMap(display, panelWidth, panelHeight), params.synthesis.filter) {}
+      disparity_(disparityView(params, display, atlas_.layout().quilt)),
+      interleaver_(makeInterleaver(
+          calib::panelMap(display, panelWidth, panelHeight), panelWidth, panelHeight,
+          {params.synthesis.filter, params.synthesis.views, display.fringe})) {}
 
 template<class Pass>
 void Pipeline::timed(std::size_t stage, Pass pass) {
@@ -22,12 +37,17 @@ void Pipeline::renderAtlas(const devices::RgbdFrame& frame) {
     if (!placed_) placeScene(frame.depth);
     timed(0, [&] { uploader_.upload(frame); });
     timed(1, [&] { mesh_.build(uploader_.depth(), frame.depth.metadata().depthUnitM, geometry_); });
-    timed(2, [&] { views_->render(mesh_.layers(), uploader_.color(), atlas_); });
+    timed(2, [&] {
+        views_->render(mesh_.layers(), uploader_.color(), atlas_);
+        if (disparity_) disparity_->render(mesh_.layers(), uploader_.color());
+    });
 }
 
 void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
     renderAtlas(frame);
-    timed(3, [&] { interleaver_.render(atlas_, panel); });
+    timed(3, [&] {
+        interleaver_->render({&atlas_, disparity_ ? &disparity_->texture() : nullptr}, panel);
+    });
 }
 
 void Pipeline::placeScene(const devices::Frame& depth) {

@@ -3,6 +3,7 @@
 #include "calib/display_profile.hpp"
 #include "devices/frame.hpp"
 #include "gpu/depth_mesh.hpp"
+#include "gpu/disparity_view.hpp"
 #include "gpu/frame_uploader.hpp"
 #include "gpu/gl/timer.hpp"
 #include "gpu/interleaver.hpp"
@@ -35,6 +36,8 @@ class Pipeline {
 
     [[nodiscard]] const Atlas& atlas() const { return atlas_; }
     [[nodiscard]] const DepthMesh& mesh() const { return mesh_; }
+    /// What a display of type 2d_plus_depth gets beside the picture; none on others.
+    [[nodiscard]] const std::optional<DisparityView>& disparity() const { return disparity_; }
     [[nodiscard]] const gl::Texture& color() const { return uploader_.color(); }
     /// Set by the first frame with a measurement (or by params.budget.focusM), then kept, so that
     /// the scene stands still behind the glass.
@@ -56,7 +59,8 @@ class Pipeline {
     DepthMesh mesh_;
     Atlas atlas_;
     std::unique_ptr<ViewSynthesis> views_;
-    Interleaver interleaver_;
+    std::optional<DisparityView> disparity_; ///< for displays that make their views themselves
+    std::unique_ptr<Interleaver> interleaver_;
     std::array<gl::Timer, kStages.size()> timers_;
     StageTime stageTime_;
 };

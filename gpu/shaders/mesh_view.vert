@@ -9,6 +9,9 @@ layout(binding = 1) uniform sampler2D sources;
 layout(binding = 3) uniform sampler2D viewPositions; // b of each view, left to right
 
 layout(location = 0) out vec2 source;
+#ifdef DISPARITY
+layout(location = 1) noperspective out float disparity; // as x: linear on the panel
+#endif
 #ifdef TILED
 out float gl_ClipDistance[4];
 #endif
@@ -18,6 +21,9 @@ void main() {
     vec4 point = texelFetch(points, node, 0);
     source = texelFetch(sources, node, 0).xy;
     float z = point.w;
+#ifdef DISPARITY
+    disparity = point.z;
+#endif
 #ifdef TILED
     int view = gl_InstanceID;
 #else

@@ -40,10 +40,11 @@ TEST_F(BlocksGlTest, ViewsBlock) {
 }
 
 TEST_F(BlocksGlTest, InterleaverBlock) {
-    const gpu::gl::Program program({"full_screen.vert", "interleaver.frag"});
+    const gpu::gl::Program program({"full_screen.vert", "view_interleaver.frag"});
     EXPECT_EQ(offsetOf(program, "fan"), offsetof(gpu::InterleaverBlock, fan));
     EXPECT_EQ(offsetOf(program, "tiles"), offsetof(gpu::InterleaverBlock, tiles));
     EXPECT_EQ(offsetOf(program, "panel"), offsetof(gpu::InterleaverBlock, panel));
+    EXPECT_EQ(offsetOf(program, "edge"), offsetof(gpu::InterleaverBlock, edge));
 }
 
 TEST_F(BlocksGlTest, EyeBlock) {

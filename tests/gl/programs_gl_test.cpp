@@ -37,8 +37,26 @@ INSTANTIATE_TEST_SUITE_P(
                     Variant{{"mesh_eye.vert", "mesh_view.frag"}, {}},
                     Variant{{"mesh_camera.vert", "mesh_view.frag"}, {}},
                     Variant{{"mesh_register.vert", "mesh_register.frag"}, {}},
-                    Variant{{"full_screen.vert", "interleaver.frag"}, {}},
-                    Variant{{"full_screen.vert", "interleaver.frag"}, {"NEAREST"}}));
+                    Variant{{"mesh_view.vert", "mesh_disparity.frag"}, {"DISPARITY"}}));
+
+std::vector<Variant> interleavers() {
+    std::vector<Variant> variants{{{"full_screen.vert", "depth_frame.frag"}, {}},
+                                  {{"full_screen.vert", "depth_frame.frag"}, {"HEADER"}},
+                                  {{"full_screen.vert", "tile_interleaver.frag"}, {}},
+                                  {{"full_screen.vert", "tile_interleaver.frag"}, {"NEAREST"}},
+                                  {{"full_screen.vert", "band_interleaver.frag"}, {}},
+                                  {{"full_screen.vert", "band_interleaver.frag"}, {"WAVEFORM"}}};
+    const std::vector<std::string> switches{"LUT", "CELLS", "GRID", "REMAP", "NEAREST", "BLEND"};
+    for (unsigned set = 0; set < 1U << switches.size(); ++set) {
+        Variant variant{{"full_screen.vert", "view_interleaver.frag"}, {}};
+        for (std::size_t bit = 0; bit < switches.size(); ++bit)
+            if ((set >> bit & 1U) != 0) variant.defines.push_back(switches[bit]);
+        variants.push_back(variant);
+    }
+    return variants;
+}
+
+INSTANTIATE_TEST_SUITE_P(Interleavers, ProgramsGlTest, testing::ValuesIn(interleavers()));
 
 class ProgramGlTest : public GlTest {};
 

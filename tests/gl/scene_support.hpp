@@ -1,7 +1,6 @@
 #pragma once
 
 #include "calib/display_profile.hpp"
-#include "calib/phase_laws.hpp"
 #include "devices/input.hpp"
 #include "devices/sim/simulation.hpp"
 #include "gpu/pipeline.hpp"
@@ -41,7 +40,14 @@ inline calib::DisplayProfile smallLensDisplay(int columns, int rows, int tileWid
     display.viewingDistanceM = 0.5;
     display.coneRad = 0.698;
     display.views = columns * rows;
-    display.phase = calib::lookingGlassPhase({52.56, -7.1423, 0.4735, 324, 384, 512, false});
+    calib::LookingGlassCalibration unit;
+    unit.pitch = 52.56;
+    unit.slope = -7.1423;
+    unit.center = 0.4735;
+    unit.dpi = 324;
+    unit.screenWidth = 384;
+    unit.screenHeight = 512;
+    display.law = unit;
     display.quilt = {columns, rows, tileWidth, tileHeight};
     display.disparityFar = -0.06;
     display.disparityNear = 0.06;

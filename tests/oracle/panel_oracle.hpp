@@ -1,22 +1,12 @@
 #pragma once
 
-#include "calib/display_profile.hpp"
 #include "gpu/params.hpp"
+#include "tests/oracle/display_oracle.hpp"
 #include "tests/oracle/view_oracle.hpp"
 
 // Slow, obvious twin of the interleaver: all views' tiles -> panel, phase in extended precision.
 
 namespace autostereo::oracle {
-
-/// View of a sub-pixel, counted from the left, straight from the display's law.
-inline int viewOf(const calib::DisplayProfile& display, int x, int y, int channel) {
-    const calib::LinearPhase& law = display.phase;
-    const long double phase = static_cast<long double>(law.perColumn) * x +
-                              static_cast<long double>(law.perRow) * y +
-                              law.channel[static_cast<std::size_t>(channel)] + law.offset;
-    const auto vendor = static_cast<int>((phase - std::floor(phase)) * display.views);
-    return display.order == calib::ViewOrder::RightToLeft ? display.views - 1 - vendor : vendor;
-}
 
 /// `tiles`: one picture per view, all of one size.
 inline Picture interleave(const calib::DisplayProfile& display, const std::vector<Picture>& tiles,
@@ -26,7 +16,8 @@ inline Picture interleave(const calib::DisplayProfile& display, const std::vecto
         for (int x = 0; x < width; ++x) {
             std::array<double, 3> pixel{};
             for (int c = 0; c < 3; ++c) {
-                const Picture& tile = tiles[static_cast<std::size_t>(viewOf(display, x, y, c))];
+                const Picture& tile =
+                    tiles[static_cast<std::size_t>(viewOf(display, phaseOf(display, x, y, c)))];
                 const double tx = (x + 0.5) * tile.width / width - 0.5;
                 const double ty = (y + 0.5) * tile.height / height - 0.5;
                 const auto channel = static_cast<std::size_t>(c);

@@ -1,5 +1,5 @@
+#include "calib/panel_map.hpp"
 #include "calib/phase_laws.hpp"
-#include "calib/view_map.hpp"
 #include "tests/unit/calib/random_numbers.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ Real apart(Real a, Real b) { return std::abs(a - b - std::round(a - b)); }
 
 Real phaseOf(const LinearPhase& law, int x, int y, int c) {
     return static_cast<Real>(law.perColumn) * x + static_cast<Real>(law.perRow) * y +
-           law.channel.at(static_cast<std::size_t>(c)) + law.offset;
+           law.channels[0].at(static_cast<std::size_t>(c)) + law.offset;
 }
 
 /// The vendor's published formula as it stands: u, v at pixel centres, v counted from the bottom,
@@ -37,13 +37,25 @@ Real vendorsViewShare(const LookingGlassCalibration& unit, int x, int y, int c) 
 
 // Published per-unit numbers: pitch, slope, centre, dpi, size. The third unit's sub-pixels do not
 // lie in stripes; its numbers serve here, its cells are beyond this law.
-const LookingGlassCalibration kUnits[] = {
-    {52.56046553048362, -7.1423088016812, 0.47345216539737284, 324, 1536, 2048, false},
-    {80.73520762926995, -6.62387594309422, 0.9212455662774963, 491, 1440, 2560, false},
-    {44.74761962890625, -6.855094909667969, -0.26516956090927126, 283, 3840, 2160, false},
-    {49.81804275512695, 5.044347763061523, 0.176902174949646, 338, 2560, 1600, false},
-    {49.91, 5.8, 0, 338, 2560, 1600, false},
-    {47.56401443481445, -5.480000019073486, 0.374184787273407, 338, 2560, 1600, false},
+LookingGlassCalibration unitWith(double pitch, double slope, double center, double dpi, int width,
+                                 int height) {
+    LookingGlassCalibration unit;
+    unit.pitch = pitch;
+    unit.slope = slope;
+    unit.center = center;
+    unit.dpi = dpi;
+    unit.screenWidth = width;
+    unit.screenHeight = height;
+    return unit;
+}
+
+const std::vector kUnits{
+    unitWith(52.56046553048362, -7.1423088016812, 0.47345216539737284, 324, 1536, 2048),
+    unitWith(80.73520762926995, -6.62387594309422, 0.9212455662774963, 491, 1440, 2560),
+    unitWith(44.74761962890625, -6.855094909667969, -0.26516956090927126, 283, 3840, 2160),
+    unitWith(49.81804275512695, 5.044347763061523, 0.176902174949646, 338, 2560, 1600),
+    unitWith(49.91, 5.8, 0, 338, 2560, 1600),
+    unitWith(47.56401443481445, -5.480000019073486, 0.374184787273407, 338, 2560, 1600),
 };
 
 TEST(LookingGlassPhase, IsTheVendorsFormula) {
@@ -67,7 +79,7 @@ TEST(LookingGlassPhase, GivesTheVendorsViews) {
     for (const LookingGlassCalibration& unit : kUnits) {
         DisplayProfile display;
         display.views = kViews;
-        display.phase = lookingGlassPhase(unit);
+        display.law = unit;
         const ViewMap map = makeViewMap(display, unit.screenWidth, unit.screenHeight);
         int wrong = 0, seen = 0;
         for (int y = 0; y < unit.screenHeight; y += 17)
@@ -100,7 +112,7 @@ int differences(const DisplayProfile& display, int width, int height, int a, int
 DisplayProfile lensSheet(int views, const VanBerkelLens& lens) {
     DisplayProfile display;
     display.views = views;
-    display.phase = vanBerkelPhase(lens, views);
+    display.law = lens;
     return display;
 }
 

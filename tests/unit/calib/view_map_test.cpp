@@ -1,5 +1,5 @@
+#include "calib/panel_map.hpp"
 #include "calib/phase_laws.hpp"
-#include "calib/view_map.hpp"
 #include "tests/unit/calib/random_numbers.hpp"
 
 #include <gtest/gtest.h>
@@ -23,21 +23,22 @@ TEST(ViewMap, PhaseIsWithinOneUnitOfLongDouble) {
     constexpr int kWidth = 7680, kHeight = 4320;
     for (int round = 0; round < 10; ++round) {
         DisplayProfile display = profile(48);
-        LinearPhase& law = display.phase;
+        LinearPhase law;
         law.perColumn = random.between(-1, 1);
         law.perRow = random.between(-1, 1);
-        law.channel = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+        law.channels = {{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}};
         law.offset = random.between(-100, 100);
+        display.law = law;
         const ViewMap map = makeViewMap(display, kWidth, kHeight);
-        ASSERT_EQ(map.columns.size(), 3U * kWidth);
-        ASSERT_EQ(map.rows.size(), 1U * kHeight);
+        ASSERT_EQ(map.tables.columns.size(), 3U * kWidth);
+        ASSERT_EQ(map.tables.rows.size(), 1U * kHeight);
         long double worst = 0;
         for (int i = 0; i < 100'000; ++i) {
             const int x = static_cast<int>(random.between(0, kWidth));
             const int y = static_cast<int>(random.between(0, kHeight)), c = i % 3;
             const long double cycles = static_cast<long double>(law.perColumn) * x +
                                        static_cast<long double>(law.perRow) * y +
-                                       law.channel.at(static_cast<std::size_t>(c)) + law.offset;
+                                       law.channels[0].at(static_cast<std::size_t>(c)) + law.offset;
             const long double off = std::ldexp(static_cast<long double>(map.phase(x, y, c)), -32);
             worst = std::max(worst, std::abs(off - cycles - std::round(off - cycles)));
         }
@@ -66,7 +67,7 @@ TEST(ViewMap, EveryPhaseHasAViewAndEveryViewItsShare) {
 
 TEST(ViewMap, ReversedOrderCountsFromTheOtherEnd) {
     DisplayProfile display = profile(8);
-    display.phase = vanBerkelPhase({8, 1, 0}, 8);
+    display.law = VanBerkelLens{8, 1, 0};
     const ViewMap forward = makeViewMap(display, 16, 16);
     display.order = ViewOrder::RightToLeft;
     const ViewMap backward = makeViewMap(display, 16, 16);
@@ -82,7 +83,12 @@ TEST(ViewMap, ReversedOrderCountsFromTheOtherEnd) {
 
 TEST(ViewMap, OneViewIsEverywhereAndInTheMiddle) {
     DisplayProfile display = profile(1);
-    display.phase = {0.3, 0.7, {0, 0.1, 0.2}, 0.9};
+    LinearPhase law;
+    law.perColumn = 0.3;
+    law.perRow = 0.7;
+    law.channels = {{0, 0.1, 0.2}};
+    law.offset = 0.9;
+    display.law = law;
     for (const ViewOrder order : {ViewOrder::LeftToRight, ViewOrder::RightToLeft}) {
         display.order = order;
         const ViewMap map = makeViewMap(display, 20, 20);

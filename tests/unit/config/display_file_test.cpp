@@ -52,10 +52,11 @@ TEST_F(DisplayFile, linearTakesCyclesAsTheyAre) {
     const calib::DisplayProfile display = loadDisplay("mine.toml");
     EXPECT_EQ(display.name, "mine");
     EXPECT_EQ(display.type, "linear");
-    EXPECT_EQ(display.phase.perColumn, 0.25);
-    EXPECT_EQ(display.phase.perRow, -0.125);
-    EXPECT_EQ(display.phase.channel, (std::array{0.0, 0.0625, 0.125}));
-    EXPECT_EQ(display.phase.offset, 0.5);
+    const auto& phase = std::get<calib::LinearPhase>(display.law);
+    EXPECT_EQ(phase.perColumn, 0.25);
+    EXPECT_EQ(phase.perRow, -0.125);
+    EXPECT_EQ(phase.channels, (std::vector{std::array{0.0, 0.0625, 0.125}}));
+    EXPECT_EQ(phase.offset, 0.5);
     EXPECT_EQ(display.fan, calib::Fan::Edges);
     EXPECT_EQ(display.disparityFar, -0.02);
     EXPECT_EQ(display.disparityNear, 0.03);
@@ -85,10 +86,12 @@ struct Malformed {
 constexpr Malformed kMalformed[] = {
     {"", "",
      "x.toml:1:1: type: missing, wanted a word (allowed linear, van_berkel, "
-     "looking_glass, preview)"},
+     "looking_glass, cubevi, table, lut, line_screen, two_view_tracked, quilt, 2d_plus_depth, "
+     "side_by_side, top_bottom, row, column, checkerboard, anaglyph, flat)"},
     {"linear", "lenticular",
      "x.toml:1:8: type: \"lenticular\" is unknown (allowed linear, van_berkel, "
-     "looking_glass, preview)"},
+     "looking_glass, cubevi, table, lut, line_screen, two_view_tracked, quilt, 2d_plus_depth, "
+     "side_by_side, top_bottom, row, column, checkerboard, anaglyph, flat)"},
     {"per_column =", "per_colum =",
      "x.toml:14:1: lens.per_colum: unknown key (did you mean per_column?)"},
     {"[lens]", "[lense]", "x.toml:13:2: lense: unknown key (did you mean lens?)"},

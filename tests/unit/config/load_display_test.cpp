@@ -1,3 +1,4 @@
+#include "calib/panel_map.hpp"
 #include "calib/phase_laws.hpp"
 #include "config/load.hpp"
 #include "tests/support/data.hpp"
@@ -17,15 +18,13 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 /// Sub-pixels per lens along a row.
 double subpixelsPerLens(const calib::DisplayProfile& display) {
-    return 3 / std::abs(display.phase.perColumn);
+    return 3 / std::abs(calib::affinePhase(display.law, display.views)->perColumn);
 }
 
 /// Vendor's view of a sub-pixel, from the phase alone.
 int viewOf(const calib::DisplayProfile& display, int x, int y, int c) {
-    const calib::LinearPhase& p = display.phase;
-    const double phase =
-        p.perColumn * x + p.perRow * y + p.channel.at(static_cast<std::size_t>(c)) + p.offset;
-    return static_cast<int>(display.views * (phase - std::floor(phase)));
+    const calib::ViewMap map = calib::makeViewMap(display, 200, 100);
+    return static_cast<int>(map.phase(x, y, c) * static_cast<std::uint64_t>(map.views) >> 32U);
 }
 
 class LoadDisplay : public test::TempFolder {};
@@ -51,18 +50,20 @@ TEST_F(LoadDisplay, shippedProfilesAreWhole) {
             loadDisplay((test::sourceDir() / "config/displays" / (name + ".toml")).string());
         EXPECT_EQ(fromDisk.name, name);
         EXPECT_EQ(fromDisk.model, display.model);
-        EXPECT_EQ(fromDisk.phase.offset, display.phase.offset);
+        EXPECT_EQ(fromDisk.law.index(), display.law.index());
     }
 }
 
 TEST_F(LoadDisplay, portraitHasTheUnitsNumbers) {
     const calib::DisplayProfile display = loadDisplay("looking-glass-portrait");
-    const calib::LinearPhase expected = calib::lookingGlassPhase(
-        {52.56046553048362, -7.1423088016812, 0.47345216539737284, 324, 1536, 2048, false});
-    EXPECT_EQ(display.phase.perColumn, expected.perColumn);
-    EXPECT_EQ(display.phase.perRow, expected.perRow);
-    EXPECT_EQ(display.phase.channel, expected.channel);
-    EXPECT_EQ(display.phase.offset, expected.offset);
+    const auto& unit = std::get<calib::LookingGlassCalibration>(display.law);
+    EXPECT_EQ(unit.pitch, 52.56046553048362);
+    EXPECT_EQ(unit.slope, -7.1423088016812);
+    EXPECT_EQ(unit.center, 0.47345216539737284);
+    EXPECT_EQ(unit.dpi, 324);
+    EXPECT_EQ(unit.screenWidth, 1536);
+    EXPECT_EQ(unit.screenHeight, 2048);
+    EXPECT_FALSE(unit.flipImageX);
     EXPECT_NEAR(subpixelsPerLens(display), 18.67, 0.01); // 3 dpi / (pitch cos atan(1/slope))
     EXPECT_NEAR(display.widthM, 0.12042, 1e-5);          // 1536 pixels of 25.4 mm / 324
     EXPECT_DOUBLE_EQ(display.coneRad, 40 * kDegree);
@@ -111,9 +112,8 @@ TEST_F(LoadDisplay, previewIsAnaglyphOnAnyMonitor) {
 }
 
 TEST_F(LoadDisplay, previewCanBeFlat) {
-    write("flat.toml", R"(type = "preview"
+    write("flat.toml", R"(type = "flat"
 model = "flat"
-mode = "2d"
 panel = { width = 640, height = 480, width_mm = 300 }
 viewing = { distance_m = 0.6, cone_deg = 6 }
 quilt = { columns = 1, rows = 1, tile_width = 640, tile_height = 480 }

@@ -1,0 +1,39 @@
+#include "gpu/panel_pass.hpp"
+
+#include <array>
+
+namespace autostereo::gpu {
+
+PanelPass::PanelPass(const std::string& fragmentShader, const std::vector<std::string>& defines,
+                     int width, int height)
+    : width_(width), height_(height), program_({"full_screen.vert", fragmentShader}, defines),
+      vertexArray_(gl::makeVertexArray()) {
+    block_.panel = {width_, height_, 1, 1};
+}
+
+void PanelPass::draw(const Atlas& atlas, GLuint framebuffer) {
+    const calib::QuiltLayout& quilt = atlas.layout().quilt;
+    block_.tiles = {quilt.columns, quilt.tileWidth, quilt.tileHeight, block_.tiles.w};
+    uniforms_.bind(2, block_);
+    program_.use();
+    glBindTextureUnit(0, atlas.color().name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, width_, height_);
+    glBindVertexArray(vertexArray_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+gl::Texture tableTexture(int channels, int width, int height, const std::uint32_t* numbers) {
+    struct Format {
+        GLenum stored, given;
+    };
+    constexpr std::array<Format, 3> kFormats{
+        {{GL_R32UI, GL_RED_INTEGER}, {GL_RG32UI, GL_RG_INTEGER}, {GL_RGBA32UI, GL_RGB_INTEGER}}};
+    const Format format = kFormats.at(static_cast<std::size_t>(channels - 1));
+    gl::Texture texture(format.stored, width, height);
+    glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, format.given, GL_UNSIGNED_INT,
+                        numbers);
+    return texture;
+}
+
+} // namespace autostereo::gpu

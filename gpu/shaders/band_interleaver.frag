@@ -1,0 +1,43 @@
+#version 450 core
+// The Combiner (Kooima 2007, section 3.5) for any number of eyes: each eye's view where its band of
+// the barrier or lens is lit, the maximum where bands overlap.
+#include "interleaver_block.glsl"
+
+layout(binding = 1) uniform usampler2D columnPhases; // a row per eye
+layout(binding = 2) uniform usampler2D rowPhases;    // top row first; a row per eye
+#ifdef WAVEFORM
+layout(binding = 3) uniform sampler2D edges; // rise start, end, fall start, end; R, G, B
+#endif
+
+layout(location = 0) out vec4 color;
+
+// How brightly an eye's view shows in a channel: 0 or 1; with a waveform 1 .. minus its lobe.
+float weight(uint phase, int channel) {
+#ifdef WAVEFORM
+    vec4 e = texelFetch(edges, ivec2(channel, 0), 0);
+    float t = float(phase >> 8) / 16777216.0;
+    float rise = e.y > e.x ? clamp((t - e.x) / (e.y - e.x), 0.0, 1.0) : step(e.x, t);
+    float fall = e.w > e.z ? clamp((e.w - t) / (e.w - e.z), 0.0, 1.0) : 1.0 - step(e.z, t);
+    return min(rise, fall) * (1.0 + edge.y) - edge.y;
+#else
+    return phase - fan.z < fan.w ? 1.0 : 0.0;
+#endif
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy); // y up
+    ivec2 place = ivec2(pixel.x, panel.y - 1 - pixel.y);
+    vec3 brightest = vec3(0.0), lobes = vec3(0.0);
+    for (int eye = 0; eye < panel.w; ++eye) {
+        uvec3 phases = texelFetch(columnPhases, ivec2(place.x, eye), 0).xyz +
+                       texelFetch(rowPhases, ivec2(place.y, eye), 0).x;
+        for (int channel = 0; channel < 3; ++channel) {
+            float share = weight(phases[channel], channel);
+            if (share == 0.0) continue;
+            float light = share * samplePixel(eye, pixel, channel);
+            brightest[channel] = max(brightest[channel], light);
+            lobes[channel] += min(light, 0.0);
+        }
+    }
+    color = vec4(brightest + lobes, 1.0) * vec4(vec3(fade(pixel)), 1.0);
+}

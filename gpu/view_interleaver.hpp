@@ -1,0 +1,24 @@
+#pragma once
+
+#include "calib/view_map.hpp"
+#include "gpu/interleaver.hpp"
+#include "gpu/panel_pass.hpp"
+
+namespace autostereo::gpu {
+
+/// Every sub-pixel reads its channel from its view's tile. Which view is decided in fixed point,
+/// bit for bit as ViewMap does on the host.
+class ViewInterleaver final : public Interleaver {
+  public:
+    ViewInterleaver(const calib::ViewMap& map, const InterleaverParams& params);
+    void render(const DrawnViews& views, GLuint framebuffer) override;
+
+  private:
+    PanelPass pass_;
+    gl::Texture columnPhases_; ///< a texel a column, a row per class of rows; or the whole LUT
+    gl::Texture rowPhases_;
+    gl::Texture gridNodes_, gridColumns_, gridRows_;
+    gl::Texture remap_;
+};
+
+} // namespace autostereo::gpu
