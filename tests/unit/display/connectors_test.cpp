@@ -1,7 +1,7 @@
 #include "devices/display/connectors.hpp"
 
+#include "tests/support/edid_bytes.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tests/unit/display/edid_bytes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "devices/display/link_state.hpp"
 
-#include "tests/unit/display/edid_bytes.hpp"
+#include "tests/support/edid_bytes.hpp"
 
 #include <gtest/gtest.h>
 
