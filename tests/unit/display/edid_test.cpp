@@ -65,6 +65,23 @@ TEST(EdidTest, LgThatLetsTheSourceChooseTheRange) {
     EXPECT_TRUE(edid.faults.empty()) << edid.faults.front();
 }
 
+TEST(EdidTest, VideoCapabilitiesBitByBit) {
+    Bytes bytes = bytesOfHex(kLg);
+    std::size_t at = 128 + 4;
+    while (bytes.at(at) != std::byte{0xe2} || bytes.at(at + 1) != std::byte{0})
+        ++at;
+    const auto with = [&](unsigned capabilities) {
+        bytes[at + 2] = static_cast<std::byte>(capabilities);
+        seal(bytes, 1);
+        return good(bytes);
+    };
+    EXPECT_TRUE(with(0x40).quantisationSelectable);
+    EXPECT_FALSE(with(0xbf).quantisationSelectable);
+    EXPECT_TRUE(with(0x04).alwaysOverscans);
+    for (const unsigned other : {0x00U, 0x08U, 0x0cU, 0xf3U})
+        EXPECT_FALSE(with(other).alwaysOverscans) << other;
+}
+
 TEST(EdidTest, NotebookPanelWithoutNameOrExtension) {
     const Edid edid = good(bytesOfHex(kBoe));
     EXPECT_EQ(edid.manufacturer, "BOE");

@@ -6,6 +6,8 @@
 
 #include <random>
 
+#include <sys/stat.h>
+
 namespace autostereo::test {
 namespace {
 
@@ -116,6 +118,8 @@ TEST_F(Volumes, ReadsAreBounded) {
     EXPECT_FALSE(readCalibrationText(root.path())) << "a folder";
     EXPECT_FALSE(readCalibrationText(root / "missing"));
     EXPECT_FALSE(readCalibrationText("/dev/zero"));
+    ASSERT_EQ(::mkfifo((root / "pipe").c_str(), 0600), 0);
+    EXPECT_FALSE(readCalibrationText(root / "pipe")) << "not an empty text either";
 }
 
 } // namespace
