@@ -78,6 +78,15 @@ std::vector<DrmProperty> primaryPlane(int card, std::uint32_t crtc) {
     return {};
 }
 
+/// The CRTC that feeds a connector; 0: none. Old drivers tell it through the encoder only.
+std::uint32_t crtcOf(int card, const drmModeConnector& connector,
+                     const std::vector<DrmProperty>& properties) {
+    const auto id = std::ranges::find(properties, "CRTC_ID", &DrmProperty::name);
+    if (id != properties.end()) return static_cast<std::uint32_t>(id->value);
+    const EncoderInfo encoder(drmModeGetEncoder(card, connector.encoder_id));
+    return encoder == nullptr ? 0 : encoder->crtc_id;
+}
+
 DrmPipe pipeOf(int card, const drmModeConnector& connector) {
     DrmPipe pipe;
     const char* type = drmModeGetConnectorTypeName(connector.connector_type);
@@ -85,10 +94,10 @@ DrmPipe pipeOf(int card, const drmModeConnector& connector) {
                      std::to_string(connector.connector_type_id);
     pipe.connectorProperties =
         propertiesOf(card, connector.connector_id, DRM_MODE_OBJECT_CONNECTOR);
-    const EncoderInfo encoder(drmModeGetEncoder(card, connector.encoder_id));
-    if (encoder == nullptr || encoder->crtc_id == 0) return pipe; // dark
-    pipe.crtcProperties = propertiesOf(card, encoder->crtc_id, DRM_MODE_OBJECT_CRTC);
-    pipe.planeProperties = primaryPlane(card, encoder->crtc_id);
+    const std::uint32_t crtc = crtcOf(card, connector, pipe.connectorProperties);
+    if (crtc == 0) return pipe; // dark
+    pipe.crtcProperties = propertiesOf(card, crtc, DRM_MODE_OBJECT_CRTC);
+    pipe.planeProperties = primaryPlane(card, crtc);
     return pipe;
 }
 
