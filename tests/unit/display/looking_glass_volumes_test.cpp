@@ -42,9 +42,9 @@ class Volumes : public testing::Test {
   protected:
     void mount(const std::string& device, const std::string& point, const std::string& type,
                const std::string& calibration) {
-        mounts_ += device + " " + point + " " + type + " rw 0 0\n";
+        mountTable += device + " " + point + " " + type + " rw 0 0\n";
         std::filesystem::create_directories(root / "proc");
-        root.write("proc/mounts", mounts_);
+        root.write("proc/mounts", mountTable);
         if (!calibration.empty()) write(unescaped(point).substr(1), calibration);
     }
     void write(const std::string& folder, const std::string& calibration) const {
@@ -60,7 +60,7 @@ class Volumes : public testing::Test {
         return text;
     }
     ScratchFolder root;
-    std::string mounts_;
+    std::string mountTable;
 };
 
 TEST_F(Volumes, NothingInAnEmptyRoot) {
