@@ -169,9 +169,11 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
         app.add_subcommand("check", "Check configurations, displays, rigs and recordings");
     checkCommand->add_option("files", check.files, "Files to check")->required();
     checkCommand->footer("Example: autostereo check /etc/autostereo/autostereo.toml");
-    CLI::App* devicesCommand =
-        app.add_subcommand("devices", "List monitors, display profiles and inputs");
+    CLI::App* devicesCommand = app.add_subcommand(
+        "devices", "List monitors, their links, Looking Glass volumes, displays, inputs");
     devicesCommand->add_flag("--json", devices.json, "For machines");
+    devicesCommand->add_option("--root", devices.root, "Where sys, proc and dev are looked for")
+        ->group("");
     devicesCommand->footer("Example: autostereo devices --json");
     app.require_subcommand(0, 1);
     try {

@@ -56,6 +56,7 @@ struct CheckOptions {
 
 struct DevicesOptions {
     bool json = false;
+    std::filesystem::path root = "/"; ///< where /sys, /proc and /dev lie; tests have their own
 };
 
 /// --help or --version: the text is printed, exit code 0.

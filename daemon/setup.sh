@@ -13,11 +13,12 @@ build_packages=(
     libegl-dev libopengl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri libglfw3-dev
     libglm-dev libspdlog-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
     libpng-dev libturbojpeg0-dev libmatroska-dev libebml-dev libsystemd-dev
+    libdrm-dev libusb-1.0-0-dev
 )
 # What tests/ needs beyond that. OpenCV is a second opinion on the camera models.
 test_packages=(
     libgtest-dev libgmock-dev libbenchmark-dev glslang-tools clang-format clang-tidy git
-    xvfb xauth x11-utils x11-apps
+    xvfb xauth x11-utils x11-apps x11-xserver-utils libxcb-xfixes0-dev
     libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev
 )
 

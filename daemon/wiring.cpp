@@ -1,5 +1,6 @@
 #include "daemon/wiring.hpp"
 
+#include "devices/display/link_state.hpp"
 #include "devices/live_feed.hpp"
 #include "devices/paced_source.hpp"
 #include "devices/replay_feed.hpp"
@@ -26,6 +27,18 @@ constexpr bool kDebugContext = true;
 bool isSet(const char* variable) {
     const char* value = std::getenv(variable);
     return value != nullptr && *value != '\0';
+}
+
+/// What night light and colour profiles load into the display server.
+void warnAboutRamp(const gpu::WindowPanel& window) {
+    const auto ramp = window.gammaRamp();
+    if (!ramp) return;
+    devices::LinkState link;
+    link.gammaIsIdentity = devices::isIdentityRamp(ramp->red) &&
+                           devices::isIdentityRamp(ramp->green) &&
+                           devices::isIdentityRamp(ramp->blue);
+    for (const devices::LinkProblem& problem : devices::linkProblems(link))
+        spdlog::warn("window: {}", problem.text);
 }
 
 config::Config configurationFile(const SceneOptions& options) {
@@ -83,10 +96,13 @@ config::Output chooseOutput(const config::Config& config) {
 }
 
 std::unique_ptr<gpu::Panel> openPanel(const calib::DisplayProfile& display, config::Output output,
-                                      bool force) {
-    if (output == config::Output::Window)
-        return std::make_unique<gpu::WindowPanel>(display.width, display.height, force,
-                                                  kDebugContext);
+                                      bool force, const std::string& connector) {
+    if (output == config::Output::Window) {
+        auto window = std::make_unique<gpu::WindowPanel>(
+            gpu::MonitorRequest{display.width, display.height, connector, force}, kDebugContext);
+        warnAboutRamp(*window);
+        return window;
+    }
     const PanelSize size = offscreenSize(display);
     return std::make_unique<gpu::OffscreenPanel>(size.width, size.height, kDebugContext);
 }

@@ -25,9 +25,11 @@ namespace autostereo::daemon {
                                                       config::Speed speed, bool loop,
                                                       devices::Clock& clock);
 
-/// A window where one was asked for or a display server is there; else off-screen. Throws GlError.
+/// A window where one was asked for or a display server is there; else off-screen. `connector`, the
+/// kernel's name, says which monitor; empty: by size. Throws GlError.
 [[nodiscard]] std::unique_ptr<gpu::Panel> openPanel(const calib::DisplayProfile& display,
-                                                    config::Output output, bool force);
+                                                    config::Output output, bool force,
+                                                    const std::string& connector = {});
 [[nodiscard]] config::Output chooseOutput(const config::Config& config);
 
 /// The display's own mode, or full HD off-screen where it takes any.

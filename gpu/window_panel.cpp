@@ -26,21 +26,11 @@ std::string sizeText(int width, int height) {
     return std::to_string(width) + "x" + std::to_string(height);
 }
 
-GLFWmonitor* chooseMonitor(int width, int height, bool force) {
-    if (monitors().empty())
-        throw DisplayNotFound("window: the display server has no monitor: is one connected?");
-    if (width == 0) return glfwGetPrimaryMonitor();
-    std::string offered;
-    for (GLFWmonitor* monitor : monitors()) {
-        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-        if (mode->width == width && mode->height == height) return monitor;
-        offered += (offered.empty() ? "" : ", ") + std::string(glfwGetMonitorName(monitor)) + " " +
-                   sizeText(mode->width, mode->height);
-    }
-    if (force) return glfwGetPrimaryMonitor();
-    throw DisplayNotFound("window: no monitor is in the display's native mode " +
-                          sizeText(width, height) + " (found: " + offered +
-                          "): set that mode, or --force to show it all the same");
+/// What GLFW says went wrong.
+std::string lastError() {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    return reason != nullptr ? reason : "unknown reason";
 }
 
 void setHints(const GLFWvidmode& mode, bool debugContext) {
@@ -72,19 +62,18 @@ std::vector<MonitorInfo> listMonitors() {
     return found;
 }
 
-WindowPanel::WindowPanel(int width, int height, bool force, bool debugContext) {
+WindowPanel::WindowPanel(const MonitorRequest& request, bool debugContext) {
     if (!startGlfw())
         throw DisplayNotFound(
             "window: cannot reach a display server: is DISPLAY or WAYLAND_DISPLAY set?");
-    GLFWmonitor* monitor = chooseMonitor(width, height, force);
+    const MonitorChoice choice = chooseMonitor(listMonitors(), request);
+    if (!choice.warning.empty()) spdlog::warn("{}", choice.warning);
+    GLFWmonitor* monitor = monitors()[choice.index];
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     setHints(*mode, debugContext);
     window_ = glfwCreateWindow(mode->width, mode->height, "autostereo", monitor, nullptr);
     if (window_ == nullptr) {
-        const char* reason = nullptr;
-        glfwGetError(&reason);
-        throw GlError(std::string("window: cannot open a full-screen OpenGL 4.5 window: ") +
-                      (reason != nullptr ? reason : "unknown reason"));
+        throw GlError("window: cannot open a full-screen OpenGL 4.5 window: " + lastError());
     }
     glfwMakeContextCurrent(window_);
     if (debugContext) gl::logDebugOutput();
@@ -108,6 +97,14 @@ void WindowPanel::pollEvents() { glfwPollEvents(); }
 bool WindowPanel::closed() const {
     return glfwWindowShouldClose(window_) == GLFW_TRUE ||
            glfwGetKey(window_, GLFW_KEY_ESCAPE) == GLFW_PRESS;
+}
+
+std::optional<GammaRamp> WindowPanel::gammaRamp() const {
+    const GLFWgammaramp* ramp = glfwGetGammaRamp(glfwGetWindowMonitor(window_));
+    if (ramp == nullptr || ramp->size == 0) return std::nullopt;
+    return GammaRamp{{ramp->red, ramp->red + ramp->size},
+                     {ramp->green, ramp->green + ramp->size},
+                     {ramp->blue, ramp->blue + ramp->size}};
 }
 
 } // namespace autostereo::gpu

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "gpu/monitor_choice.hpp"
 #include "gpu/panel.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,23 +12,22 @@ struct GLFWwindow;
 
 namespace autostereo::gpu {
 
-/// What a window system offers.
-struct MonitorInfo {
-    std::string name;
-    int width = 0; ///< current mode, pixels
-    int height = 0;
-    int refreshHz = 0;
-};
-
-/// Monitors of the current display server; empty where there is none.
+/// Monitors of the current display server, the primary one first; empty where there is none.
 [[nodiscard]] std::vector<MonitorInfo> listMonitors();
+
+/// What the display server sends each channel's levels through, 0 to 65535; all of one size.
+struct GammaRamp {
+    std::vector<std::uint16_t> red;
+    std::vector<std::uint16_t> green;
+    std::vector<std::uint16_t> blue;
+};
 
 /// Full screen on one monitor in its current mode, one texel to one pixel. Swaps on vertical sync.
 class WindowPanel final : public Panel {
   public:
-    /// Takes the first monitor whose mode is width x height; 0 x 0 takes the primary one. With
-    /// `force` the primary monitor is taken even if its mode differs. Throws GlError.
-    WindowPanel(int width, int height, bool force, bool debugContext);
+    /// Takes the monitor that `chooseMonitor` says. The pointer is hidden, the screen saver does
+    /// not come while the window is there. Throws GlError.
+    WindowPanel(const MonitorRequest& request, bool debugContext);
     ~WindowPanel() override;
     WindowPanel(const WindowPanel&) = delete;
     WindowPanel& operator=(const WindowPanel&) = delete;
@@ -37,6 +39,9 @@ class WindowPanel final : public Panel {
     void pollEvents() override;
     [[nodiscard]] bool closed() const override;
     [[nodiscard]] std::string description() const override { return description_; }
+
+    /// Nothing where the display server does not tell (Wayland, Xvfb).
+    [[nodiscard]] std::optional<GammaRamp> gammaRamp() const;
 
   private:
     GLFWwindow* window_ = nullptr;

@@ -1,5 +1,6 @@
 #include "tests/replay/program.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/edid_bytes.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -63,6 +64,48 @@ TEST(DevicesCommand, ListsAsJson) {
         EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
     EXPECT_FALSE(found.at("inputs").empty());
     EXPECT_TRUE(succeeded(runProgram(calling({"devices"}))));
+}
+
+/// A machine with one monitor, a Looking Glass volume that is mounted and one that is not.
+void furnish(const TempFolder& root) {
+    const Bytes edid = syntheticEdid("LKG01Do12HjQ", 1536, 2048);
+    const std::string monitor = "sys/class/drm/card0-HDMI-A-1/";
+    (void)root.file(monitor + "status", "connected\n");
+    (void)root.file(monitor + "enabled", "enabled\n");
+    (void)root.file(monitor + "modes", "1536x2048\n1280x720\n");
+    (void)root.file(monitor + "edid", {reinterpret_cast<const char*>(edid.data()), edid.size()});
+    (void)root.file("dev/dri/card0", "no card");
+    (void)root.file("proc/mounts", "/dev/sda1 /media/LKG\\040A vfat ro 0 0\n");
+    (void)root.file("media/LKG A/LKG_calibration/visual.json", "{}");
+    (void)root.file("dev/disk/by-label/README", "");
+    std::filesystem::create_symlink("../../sda1", root / "dev/disk/by-label/LKG-A");
+    std::filesystem::create_symlink("../../sdb1", root / "dev/disk/by-label/LKG-B\\xff");
+}
+
+TEST(DevicesCommand, ListsConnectorsAndVolumesBelowARoot) {
+    const TempFolder root;
+    furnish(root);
+    const ProgramResult result = runProgram(calling({"devices", "--json", "--root", root / ""}));
+    ASSERT_TRUE(succeeded(result));
+    const auto found = nlohmann::json::parse(result.out);
+    ASSERT_EQ(found.at("connectors").size(), 1U);
+    const auto& connector = found.at("connectors")[0];
+    EXPECT_EQ(connector.at("connector"), "HDMI-A-1");
+    EXPECT_EQ(connector.at("edid").at("name"), "LKG01Do12HjQ");
+    EXPECT_EQ(connector.at("edid").at("height"), 2048);
+    EXPECT_EQ(connector.at("modes"), (std::vector<std::string>{"1536x2048", "1280x720"}));
+    EXPECT_TRUE(connector.at("link").empty()) << connector.at("link");
+    ASSERT_EQ(found.at("unread_cards").size(), 1U);
+    ASSERT_EQ(found.at("looking_glass").size(), 2U);
+    EXPECT_EQ(found.at("looking_glass")[0].at("calibration"),
+              root / "media/LKG A/LKG_calibration/visual.json");
+    EXPECT_TRUE(found.at("looking_glass")[1].at("calibration").is_null());
+
+    const ProgramResult words = runProgram(calling({"devices", "--root", root / ""}));
+    ASSERT_TRUE(succeeded(words));
+    for (const char* part : {"card0 HDMI-A-1: TSB 'LKG01Do12HjQ' 1536x2048\n",
+                             "/dev/sdb1 is not mounted\n", "card0: drives no monitors"})
+        EXPECT_NE(words.out.find(part), std::string::npos) << part << "\n" << words.out;
 }
 
 TEST(Help, HasAnExampleForEachCommand) {

@@ -63,6 +63,27 @@ TEST_F(Window, CoversTheMonitorWithThePanelBitForBit) {
     EXPECT_EQ(report.accounts.presented, 1U) << "a picture that stays is drawn once";
 }
 
+TEST_F(Window, KeepsScreenSaverAndPointerAway) {
+    const XServer server(1920, 1080);
+    const int usual = server.screenSaverTimeout();
+    ASSERT_GT(usual, 0) << "else nothing would be seen here";
+    ASSERT_TRUE(server.pointerVisible());
+    RunningProgram program(on(server, still({})));
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30 * kSlower);
+    const auto undisturbed = [&] {
+        return server.screenSaverTimeout() == 0 && !server.pointerVisible();
+    };
+    while (!undisturbed() && program.running() && std::chrono::steady_clock::now() < deadline)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(server.screenSaverTimeout(), 0);
+    EXPECT_FALSE(server.pointerVisible());
+
+    program.signal(SIGTERM);
+    EXPECT_TRUE(succeeded(program.wait()));
+    EXPECT_EQ(server.screenSaverTimeout(), usual) << "the machine is left as it was";
+    EXPECT_TRUE(server.pointerVisible());
+}
+
 TEST_F(Window, PreviewTakesWhateverModeTheMonitorHas) {
     const XServer server(800, 600);
     const std::string snapshot = folder / "panel.png";

@@ -1,8 +1,14 @@
 #include "tests/replay/x_server.hpp"
 
+#include <xcb/xfixes.h>
+
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <stdexcept>
 #include <thread>
 
@@ -12,6 +18,7 @@ namespace {
 
 constexpr const char* kServer = "/usr/bin/Xvfb";
 constexpr const char* kScreenshot = "/usr/bin/xwd";
+constexpr const char* kSettings = "/usr/bin/xset";
 
 ProgramCall serverCall(int width, int height) {
     ProgramCall call;
@@ -84,8 +91,36 @@ ColorPicture XServer::screenshot() const {
     return parseXwd(result.out);
 }
 
+int XServer::screenSaverTimeout() const {
+    ProgramCall call;
+    call.program = kSettings;
+    call.arguments = {"-display", display(), "q"};
+    const ProgramResult result = runProgram(call);
+    constexpr std::string_view kLine = "timeout:";
+    const auto at = result.out.find(kLine);
+    if (result.exitCode != 0 || at == std::string::npos) throw std::runtime_error(result.err);
+    return std::stoi(result.out.substr(at + kLine.size()));
+}
+
+bool XServer::pointerVisible() const {
+    struct Freer {
+        void operator()(void* reply) const { std::free(reply); }
+        void operator()(xcb_connection_t* connection) const { xcb_disconnect(connection); }
+    };
+    const std::unique_ptr<xcb_connection_t, Freer> x(xcb_connect(display().c_str(), nullptr));
+    const std::unique_ptr<xcb_xfixes_query_version_reply_t, Freer> version(
+        xcb_xfixes_query_version_reply(x.get(), xcb_xfixes_query_version(x.get(), 4, 0), nullptr));
+    const std::unique_ptr<xcb_xfixes_get_cursor_image_reply_t, Freer> image(
+        xcb_xfixes_get_cursor_image_reply(x.get(), xcb_xfixes_get_cursor_image(x.get()), nullptr));
+    if (!version || !image) throw std::runtime_error("X does not tell its pointer's picture");
+    const std::span pixels(
+        xcb_xfixes_get_cursor_image_cursor_image(image.get()),
+        static_cast<std::size_t>(xcb_xfixes_get_cursor_image_cursor_image_length(image.get())));
+    return std::ranges::any_of(pixels, [](std::uint32_t argb) { return argb >> 24U != 0; });
+}
+
 std::optional<std::string> XServer::missing() {
-    for (const char* program : {kServer, kScreenshot})
+    for (const char* program : {kServer, kScreenshot, kSettings})
         if (!std::filesystem::exists(program)) return std::string(program) + " is not installed";
     return std::nullopt;
 }

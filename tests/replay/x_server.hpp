@@ -19,6 +19,11 @@ class XServer {
     /// The whole screen as it is now.
     [[nodiscard]] ColorPicture screenshot() const;
 
+    /// Seconds without input until the screen saver comes; 0: never.
+    [[nodiscard]] int screenSaverTimeout() const;
+    /// The pointer's picture has at least one pixel that is not transparent.
+    [[nodiscard]] bool pointerVisible() const;
+
     /// What is missing to start one here, or nothing.
     [[nodiscard]] static std::optional<std::string> missing();
 

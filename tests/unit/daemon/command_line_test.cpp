@@ -116,7 +116,9 @@ TEST(CommandLine, CheckAndDevices) {
     EXPECT_EQ(std::get<CheckOptions>(parse({"check", "a.toml", "b.mkv"})).files,
               (std::vector<std::filesystem::path>{"a.toml", "b.mkv"}));
     EXPECT_FALSE(std::get<DevicesOptions>(parse({"devices"})).json);
+    EXPECT_EQ(std::get<DevicesOptions>(parse({"devices"})).root, "/");
     EXPECT_TRUE(std::get<DevicesOptions>(parse({"devices", "--json"})).json);
+    EXPECT_EQ(std::get<DevicesOptions>(parse({"devices", "--root", "/tmp/x"})).root, "/tmp/x");
 }
 
 TEST(CommandLine, LaterCommandsAndOptionsSaySo) {

@@ -2,7 +2,7 @@
 #include "devices/replay/calibration_files.hpp"
 #include "devices/replay/image_files.hpp"
 #include "tests/support/data.hpp"
-#include "tests/unit/replay/scratch_folder.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "devices/input.hpp"
 #include "devices/uri.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/unit/replay/playing.hpp"
-#include "tests/unit/replay/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "devices/input.hpp"
 #include "devices/replay/image_files.hpp"
 #include "tests/support/data.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/unit/replay/playing.hpp"
-#include "tests/unit/replay/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
