@@ -170,4 +170,12 @@ using DisplayLaw =
     std::variant<LinearPhase, VanBerkelLens, LookingGlassCalibration, CubeviCalibration, ViewTable,
                  ViewLut, LineScreen, TrackedLens, TileFrame, DepthFrame>;
 
+/// The glass or the format decides how many views there are; else any number can be spread over
+/// its phase.
+[[nodiscard]] inline bool hasFixedViews(const DisplayLaw& law) {
+    return std::holds_alternative<ViewTable>(law) || std::holds_alternative<LineScreen>(law) ||
+           std::holds_alternative<TrackedLens>(law) || std::holds_alternative<TileFrame>(law) ||
+           std::holds_alternative<DepthFrame>(law);
+}
+
 } // namespace autostereo::calib

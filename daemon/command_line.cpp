@@ -1,11 +1,4 @@
-#include "daemon/command_line.hpp"
-
-#include <CLI/CLI.hpp>
-
-#include <array>
-#include <cmath>
-#include <map>
-#include <span>
+#include "daemon/command_words.hpp"
 
 namespace autostereo::daemon {
 
@@ -24,48 +17,10 @@ const std::map<std::string, Picture> kPictures{{"panel", Picture::Panel},
                                                {"depth", Picture::Depth}};
 
 // Known words of the command line whose work is not in this version yet.
-constexpr std::array kLaterCommands{"interleave", "viewmap", "look",  "pattern", "import",
-                                    "calibrate",  "record",  "bench", "status",  "snapshot",
-                                    "reload",     "set",     "show"};
+constexpr std::array kLaterCommands{"look",   "import",   "calibrate", "record", "bench",
+                                    "status", "snapshot", "reload",    "set",    "show"};
 constexpr std::array kLaterPictures{"2d-plus-depth", "sbs", "anaglyph", "disparity"};
 constexpr std::array kLaterMethods{"auto", "direct", "geometry", "mrt", "hybrid"};
-
-template<class Words>
-bool contains(const Words& words, std::string_view word) {
-    return std::find(std::begin(words), std::end(words), word) != std::end(words);
-}
-
-[[noreturn]] void notInThisVersion(const std::string& what) {
-    throw UsageError(what + ": not in this version");
-}
-
-/// A word out of a table; words of later versions are told apart from nonsense.
-template<class Value>
-auto oneOf(std::optional<Value>& to, const std::map<std::string, Value>& table, const char* option,
-           std::span<const char* const> later = {}) {
-    return [&to, &table, option, later](const std::string& word) {
-        if (contains(later, word)) notInThisVersion(std::string(option) + " " + word);
-        const auto found = table.find(word);
-        if (found == table.end()) {
-            std::string allowed;
-            for (const auto& [name, value] : table)
-                allowed += (allowed.empty() ? "" : ", ") + name;
-            throw UsageError(std::string(option) + ": " + word + " is not known (allowed " +
-                             allowed + ")");
-        }
-        to = found->second;
-    };
-}
-
-auto vector3(std::optional<glm::dvec3>& to, const char* option) {
-    return [&to, option](const std::vector<double>& numbers) {
-        for (const double number : numbers)
-            if (!std::isfinite(number))
-                throw UsageError(std::string(option) + ": " + std::to_string(number) +
-                                 " is not a length in metres");
-        to = glm::dvec3{numbers[0], numbers[1], numbers[2]};
-    };
-}
 
 void addScene(CLI::App& command, SceneOptions& scene) {
     command.add_option("--input", scene.input, "Input URI, e.g. sim:person or recording.mkv");
@@ -82,7 +37,7 @@ void addLater(CLI::App& command, const char* option) {
         ->group("");
 }
 
-CLI::App* addRun(CLI::App& app, RunOptions& run) {
+void addRun(CLI::App& app, RunOptions& run) {
     CLI::App* command = app.add_subcommand("run", "Drive the display, live or from a recording");
     addScene(*command, run.scene);
     command->add_option_function<std::string>("--output", oneOf(run.output, kOutputs, "--output"),
@@ -99,10 +54,9 @@ CLI::App* addRun(CLI::App& app, RunOptions& run) {
     addLater(*command, "--record-raw");
     command->footer("Example: autostereo run --input recording.mkv --display "
                     "looking-glass-portrait --output offscreen --frames 30 --report report.json");
-    return command;
 }
 
-CLI::App* addRender(CLI::App& app, RenderOptions& render) {
+void addRender(CLI::App& app, RenderOptions& render) {
     CLI::App* command = app.add_subcommand("render", "Draw one frame to files");
     addScene(*command, render.scene);
     command->add_option("--frame", render.frame, "Which pair of frames, from 0")
@@ -130,25 +84,32 @@ CLI::App* addRender(CLI::App& app, RenderOptions& render) {
     command->add_flag_callback("--reference", [] { notInThisVersion("--reference"); })->group("");
     command->footer("Example: autostereo render --input sim:room --display slanted-8view-1080p "
                     "--as quilt --output room_qs4x2a1.78.png");
-    return command;
 }
 
-CommandLine chosen(const CLI::App& app, const RunOptions& run, const RenderOptions& render,
-                   const CheckOptions& check, const DevicesOptions& devices) {
-    if (app.got_subcommand("render")) {
-        if ((render.eye || render.cameraOffset) && render.as != Picture::View)
-            throw UsageError("--eye and --camera-offset go with --as view");
-        if (render.eye && render.cameraOffset)
-            throw UsageError("--eye and --camera-offset exclude each other");
-        if (render.eye && !(render.eye->z > 0))
-            throw UsageError("--eye: Z = " + std::to_string(render.eye->z) +
-                             " is not in front of the panel (allowed > 0)");
-        return render;
-    }
-    if (app.got_subcommand("check")) return check;
-    if (app.got_subcommand("devices")) return devices;
-    if (app.got_subcommand("run")) return run;
-    throw UsageError("no command given (run, render, check, devices): see autostereo --help");
+void checkEyes(const RenderOptions& render) {
+    if ((render.eye || render.cameraOffset) && render.as != Picture::View)
+        throw UsageError("--eye and --camera-offset go with --as view");
+    if (render.eye && render.cameraOffset)
+        throw UsageError("--eye and --camera-offset exclude each other");
+    if (render.eye && !(render.eye->z > 0))
+        throw UsageError("--eye: Z = " + std::to_string(render.eye->z) +
+                         " is not in front of the panel (allowed > 0)");
+}
+
+void addCheck(CLI::App& app, CheckOptions& check) {
+    CLI::App* command =
+        app.add_subcommand("check", "Check configurations, displays, rigs and recordings");
+    command->add_option("files", check.files, "Files to check")->required();
+    command->footer("Example: autostereo check /etc/autostereo/autostereo.toml");
+}
+
+void addDevices(CLI::App& app, DevicesOptions& devices) {
+    CLI::App* command = app.add_subcommand(
+        "devices", "List monitors, their links, Looking Glass volumes, displays, inputs");
+    command->add_flag("--json", devices.json, "For machines");
+    command->add_option("--root", devices.root, "Where sys, proc and dev are looked for")
+        ->group("");
+    command->footer("Example: autostereo devices --json");
 }
 
 } // namespace
@@ -163,18 +124,16 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     RenderOptions render;
     CheckOptions check;
     DevicesOptions devices;
+    InterleaveOptions interleave;
+    ViewmapOptions viewmap;
+    LookOptions look;
+    PatternOptions pattern;
+    ImportOptions import;
     addRun(app, run);
     addRender(app, render);
-    CLI::App* checkCommand =
-        app.add_subcommand("check", "Check configurations, displays, rigs and recordings");
-    checkCommand->add_option("files", check.files, "Files to check")->required();
-    checkCommand->footer("Example: autostereo check /etc/autostereo/autostereo.toml");
-    CLI::App* devicesCommand = app.add_subcommand(
-        "devices", "List monitors, their links, Looking Glass volumes, displays, inputs");
-    devicesCommand->add_flag("--json", devices.json, "For machines");
-    devicesCommand->add_option("--root", devices.root, "Where sys, proc and dev are looked for")
-        ->group("");
-    devicesCommand->footer("Example: autostereo devices --json");
+    addDisplayCommands(app, interleave, viewmap, look, pattern, import);
+    addCheck(app, check);
+    addDevices(app, devices);
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
@@ -186,7 +145,15 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + " (see autostereo --help)");
     }
-    return chosen(app, run, render, check, devices);
+    checkEyes(render);
+    const std::map<std::string, CommandLine> options{
+        {"run", run},         {"render", render},         {"check", check},
+        {"devices", devices}, {"interleave", interleave}, {"viewmap", viewmap},
+        {"look", look},       {"pattern", pattern},       {"import", import}};
+    for (const CLI::App* command : app.get_subcommands())
+        return options.at(command->get_name());
+    throw UsageError("no command given (run, render, interleave, viewmap, look, pattern, import, "
+                     "check, devices): see autostereo --help");
 }
 
 } // namespace autostereo::daemon

@@ -59,13 +59,57 @@ struct DevicesOptions {
     std::filesystem::path root = "/"; ///< where /sys, /proc and /dev lie; tests have their own
 };
 
+struct InterleaveOptions {
+    std::filesystem::path quilt;
+    std::string display;
+    std::optional<int> columns, rows; ///< none: from the name, "..._qs8x6a0.75.png"
+    std::optional<double> aspect;     ///< of one tile; checked only
+    std::optional<int> views;         ///< none: columns x rows, at most the display's
+    gpu::ViewFilter filter = gpu::ViewFilter::Nearest;
+    std::optional<gpu::TileFilter> texels; ///< none: nearest for nearest, linear for blend
+    std::filesystem::path output;
+};
+
+struct ViewmapOptions {
+    std::string display;
+    std::vector<glm::dvec3> eyes;                ///< tracked displays; display space, metres
+    bool index = false;                          ///< views instead of phases
+    std::optional<std::filesystem::path> texels; ///< PNG of the quilt texels that are shown
+    bool json = false;
+    std::filesystem::path output;
+};
+
+struct LookOptions {
+    std::filesystem::path panel;
+    std::string display;
+    glm::dvec3 eye{0};               ///< display space, metres
+    std::optional<double> aperture;  ///< cycles
+    std::optional<double> crosstalk; ///< share of light that leaks to either neighbour
+    bool json = false;
+    std::filesystem::path output;
+};
+
+struct PatternOptions {
+    std::string name;
+    std::string display;
+    std::filesystem::path output;
+};
+
+struct ImportOptions {
+    std::string kind; ///< "looking-glass", "cubevi"
+    std::filesystem::path file;
+    std::optional<std::string> base; ///< shipped display that the file builds on
+    std::filesystem::path output;
+};
+
 /// --help or --version: the text is printed, exit code 0.
 struct Information {
     std::string text;
 };
 
 using CommandLine =
-    std::variant<RunOptions, RenderOptions, CheckOptions, DevicesOptions, Information>;
+    std::variant<RunOptions, RenderOptions, CheckOptions, DevicesOptions, InterleaveOptions,
+                 ViewmapOptions, LookOptions, PatternOptions, ImportOptions, Information>;
 
 /// Throws UsageError. Commands and options of later versions are known and say so.
 [[nodiscard]] CommandLine parseCommandLine(int argc, const char* const* argv);

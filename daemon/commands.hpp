@@ -9,5 +9,10 @@ int run(const RunOptions& options);
 int render(const RenderOptions& options);
 int check(const CheckOptions& options);
 int listDevices(const DevicesOptions& options);
+int interleave(const InterleaveOptions& options);
+int viewmap(const ViewmapOptions& options);
+int look(const LookOptions& options);
+int pattern(const PatternOptions& options);
+int importCalibration(const ImportOptions& options);
 
 } // namespace autostereo::daemon

@@ -11,16 +11,28 @@ namespace {
 
 using namespace autostereo; // NOLINT(google-build-using-namespace): the program's own entry
 
+template<class... Handlers>
+struct Overloaded : Handlers... {
+    using Handlers::operator()...;
+};
+
 int perform(const daemon::CommandLine& command) {
-    if (const auto* run = std::get_if<daemon::RunOptions>(&command)) return daemon::run(*run);
-    if (const auto* render = std::get_if<daemon::RenderOptions>(&command))
-        return daemon::render(*render);
-    if (const auto* check = std::get_if<daemon::CheckOptions>(&command))
-        return daemon::check(*check);
-    if (const auto* devices = std::get_if<daemon::DevicesOptions>(&command))
-        return daemon::listDevices(*devices);
-    std::cout << std::get<daemon::Information>(command).text;
-    return EXIT_SUCCESS;
+    return std::visit(
+        Overloaded{
+            [](const daemon::RunOptions& options) { return daemon::run(options); },
+            [](const daemon::RenderOptions& options) { return daemon::render(options); },
+            [](const daemon::CheckOptions& options) { return daemon::check(options); },
+            [](const daemon::DevicesOptions& options) { return daemon::listDevices(options); },
+            [](const daemon::InterleaveOptions& options) { return daemon::interleave(options); },
+            [](const daemon::ViewmapOptions& options) { return daemon::viewmap(options); },
+            [](const daemon::LookOptions& options) { return daemon::look(options); },
+            [](const daemon::PatternOptions& options) { return daemon::pattern(options); },
+            [](const daemon::ImportOptions& options) { return daemon::importCalibration(options); },
+            [](const daemon::Information& information) {
+                std::cout << information.text;
+                return EXIT_SUCCESS;
+            }},
+        command);
 }
 
 enum ExitCode { FailedRunning = 1, BadCommandLineOrConfig = 2, NotFound = 3 };

@@ -60,10 +60,14 @@ config::Config configuration(const SceneOptions& options) {
 calib::DisplayProfile chooseDisplay(const config::Config& config) {
     calib::DisplayProfile display =
         config::loadDisplay(config.display.empty() ? "preview" : config.display);
+    warnOfPlaceholder(display);
+    return display;
+}
+
+void warnOfPlaceholder(const calib::DisplayProfile& display) {
     if (display.placeholder)
         spdlog::warn("display {}: its numbers are a placeholder; use this unit's own calibration",
                      display.name);
-    return display;
 }
 
 devices::Input openScene(const config::Config& config) {

@@ -15,6 +15,8 @@ namespace autostereo::daemon {
 
 /// The profile that the options or the configuration name, else "preview".
 [[nodiscard]] calib::DisplayProfile chooseDisplay(const config::Config& config);
+/// To the log, where the profile's numbers are not this unit's own.
+void warnOfPlaceholder(const calib::DisplayProfile& display);
 
 /// The input with both streams and a rig. Throws DeviceError, ConfigError.
 [[nodiscard]] devices::Input openScene(const config::Config& config);
