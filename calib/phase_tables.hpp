@@ -50,7 +50,8 @@ struct PhaseTables {
         const auto pixel = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y),
                    channel = static_cast<std::size_t>(c), across = static_cast<std::size_t>(width);
         if (lut) return (*lut)[3 * (row * across + pixel) + channel];
-        const std::size_t start = row % static_cast<std::size_t>(rowPeriod) * across;
+        const std::size_t start =
+            rowPeriod == 1 ? 0 : row % static_cast<std::size_t>(rowPeriod) * across;
         const std::uint32_t sum = columns[3 * (start + pixel) + channel] + rows[row];
         return grid.nodes.empty() ? sum : sum + grid.at(x, y);
     }

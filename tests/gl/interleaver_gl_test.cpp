@@ -1,109 +1,12 @@
-// Which view a sub-pixel shows, decided on the GPU, equals the host's decision in every sub-pixel
-// of every shipped display and of every kind of panel map.
+// Every kind of panel map: what the GPU shows in each sub-pixel is what the host says.
 
-#include "config/load.hpp"
-#include "gpu/interleaver.hpp"
-#include "gpu/readback.hpp"
+#include "tests/gl/numbered_views.hpp"
 #include "tests/support/gl_fixture.hpp"
 
-#include <algorithm>
-#include <functional>
+#include <cmath>
 
 namespace autostereo::test {
 namespace {
-
-constexpr int kStep = 2; // levels from one view to the next
-
-int levelOf(int view) { return view < 0 ? 0 : kStep * view + 3; }
-
-/// Every texel of view i's tile holds levelOf(i). Tiles of a few texels: neighbours must not leak
-/// in with either filter.
-gpu::Atlas numberedAtlas(int views) {
-    const int columns = 10, rows = (views + columns - 1) / columns;
-    gpu::AtlasLayout layout{views, {columns, rows, 7, 5}};
-    gpu::Atlas atlas(layout);
-    std::vector<std::uint8_t> texels;
-    for (int y = 0; y < layout.height(); ++y)
-        for (int x = 0; x < layout.width(); ++x)
-            texels.insert(texels.end(), 4,
-                          static_cast<std::uint8_t>(levelOf(y / 5 * columns + x / 7)));
-    glTextureSubImage2D(atlas.color().name(), 0, 0, 0, layout.width(), layout.height(), GL_RGBA,
-                        GL_UNSIGNED_BYTE, texels.data());
-    return atlas;
-}
-
-gpu::RgbImage interleaved(const calib::PanelMap& map, int width, int height, int views,
-                          const gpu::InterleaverParams& params) {
-    const gpu::Atlas atlas = numberedAtlas(views);
-    const gpu::gl::Texture target(GL_RGBA8, width, height);
-    const gpu::gl::Framebuffer panel = gpu::gl::makeFramebuffer(target);
-    gpu::makeInterleaver(map, width, height, params)->render({&atlas, nullptr}, panel.name());
-    return gpu::readFramebuffer(panel.name(), width, height);
-}
-
-/// Sub-pixels that do not show the level that `expected(x, y, c)` says.
-std::size_t differences(const gpu::RgbImage& image,
-                        const std::function<int(int, int, int)>& expected) {
-    std::size_t at = 0, wrong = 0;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            for (int c = 0; c < 3; ++c)
-                wrong += image.pixels[at++] != expected(x, y, c);
-    return wrong;
-}
-
-int levelOf(const calib::ViewMap& map, int x, int y, int c) {
-    const std::uint32_t view = map.view(map.phase(x, y, c));
-    return view == calib::ViewMap::kBlack ? 0 : levelOf(static_cast<int>(view));
-}
-
-/// The brightest of the eyes that a sub-pixel is lit for.
-int levelOf(const calib::BandMap& map, int x, int y, int c) {
-    int level = 0;
-    for (std::size_t eye = 0; eye < map.eyes.size(); ++eye)
-        if (map.lit(eye, x, y, c)) level = std::max(level, levelOf(static_cast<int>(eye)));
-    return level;
-}
-
-struct Case {
-    std::string display;
-    gpu::TileFilter filter;
-};
-
-void PrintTo(const Case& tested, std::ostream* out) { // NOLINT(readability-identifier-naming)
-    *out << tested.display << (tested.filter == gpu::TileFilter::Nearest ? " nearest" : " linear");
-}
-
-class ShippedInterleaver : public GlTest, public testing::WithParamInterface<Case> {};
-
-TEST_P(ShippedInterleaver, ShowsTheHostsViews) {
-    calib::DisplayProfile display = config::loadDisplay(GetParam().display);
-    if (display.width == 0) display.width = 640, display.height = 360;
-    const calib::PanelMap map = calib::panelMap(display, display.width, display.height);
-    const auto shown = [&] {
-        return interleaved(map, display.width, display.height, display.views,
-                           {GetParam().filter, gpu::ViewFilter::Nearest, 0});
-    };
-    if (const auto* views = std::get_if<calib::ViewMap>(&map)) {
-        EXPECT_EQ(
-            differences(shown(), [&](int x, int y, int c) { return levelOf(*views, x, y, c); }),
-            0U);
-    } else if (const auto* bands = std::get_if<calib::BandMap>(&map)) {
-        EXPECT_EQ(
-            differences(shown(), [&](int x, int y, int c) { return levelOf(*bands, x, y, c); }),
-            0U);
-    }
-}
-
-std::vector<Case> shippedCases() {
-    std::vector<Case> cases;
-    for (const std::string& name : config::displayNames())
-        for (const auto filter : {gpu::TileFilter::Nearest, gpu::TileFilter::Linear})
-            cases.push_back({name, filter});
-    return cases;
-}
-
-INSTANTIATE_TEST_SUITE_P(Displays, ShippedInterleaver, testing::ValuesIn(shippedCases()));
 
 class InterleaverGlTest : public GlTest {
   protected:

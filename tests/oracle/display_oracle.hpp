@@ -2,9 +2,10 @@
 
 #include "calib/display_profile.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
+#include <functional>
 
 // Slow, obvious twin of phase tables, view and band maps: each vendor's formula as it is published,
 // in extended precision, from the numbers of the display file.
@@ -13,7 +14,11 @@ namespace autostereo::oracle {
 
 using Real = long double;
 
-inline Real fraction(Real cycles) { return cycles - std::floor(cycles); }
+/// [0, 1). By truncation: the floor of an extended number is a slow instruction.
+inline Real fraction(Real cycles) {
+    const Real rest = cycles - static_cast<Real>(static_cast<long long>(cycles));
+    return rest < 0 ? rest + 1 : rest;
+}
 
 /// Eq. 11, with half of the least step added where sub-pixels lie on boundaries (rational lenses).
 inline Real vanBerkel(const calib::VanBerkelLens& lens, Real halfStep, int x, int y, int c) {
@@ -22,46 +27,50 @@ inline Real vanBerkel(const calib::VanBerkelLens& lens, Real halfStep, int x, in
     return (k - static_cast<Real>(lens.rowShiftSubpixels) * y) / lens.subpixelsPerLens + halfStep;
 }
 
-inline Real lookingGlass(const calib::LookingGlassCalibration& unit, int x, int y, int c) {
-    const Real w = unit.screenWidth, h = unit.screenHeight;
-    const Real mirror = unit.flipImageX ? -1 : 1;
-    const Real pitch = unit.pitch * w / unit.dpi * std::cos(std::atan(1 / Real{unit.slope}));
-    const Real tilt = h / (w * unit.slope) * mirror;
-    const Real subpixel = 1 / (3 * w) * mirror;
-    const int channel = unit.flipSubpixels ? 2 - c : c;
-    const int yUp = static_cast<int>(h) - 1 - y;
-    Real u = (x + Real{0.5}) / w, v = ((unit.flipImageY ? y : yUp) + Real{0.5}) / h;
-    if (unit.cells.empty()) {
-        u += channel * subpixel;
-    } else {
-        // The vendor's five modes, written out: 0, checkerboard, columns, staircase, rows.
-        int cell = 0;
+/// The vendor's shader formula.
+struct LookingGlass {
+    explicit LookingGlass(const calib::LookingGlassCalibration& calibration)
+        : unit(calibration), w(unit.screenWidth), h(unit.screenHeight),
+          pitch(unit.pitch * w / unit.dpi * std::cos(std::atan(1 / Real{unit.slope}))),
+          tilt(h / (w * unit.slope) * (unit.flipImageX ? -1 : 1)),
+          subpixel(1 / (3 * w) * (unit.flipImageX ? -1 : 1)) {}
+
+    [[nodiscard]] Real operator()(int x, int y, int c) const {
+        const int channel = unit.flipSubpixels ? 2 - c : c;
+        const int yUp = unit.screenHeight - 1 - y;
+        Real u = (x + Real{0.5}) / w, v = ((unit.flipImageY ? y : yUp) + Real{0.5}) / h;
+        if (unit.cells.empty()) {
+            u += channel * subpixel;
+        } else {
+            const auto& offsets = unit.cells.at(static_cast<std::size_t>(cell(x, yUp)))
+                                      .at(static_cast<std::size_t>(channel));
+            u += offsets[0] / w;
+            v += offsets[1] / h;
+        }
+        return 1 - fraction((u + v * tilt) * pitch - unit.center);
+    }
+    /// The vendor's five modes, written out: 0, checkerboard, columns, staircase, rows.
+    [[nodiscard]] int cell(int x, int yUp) const {
         switch (unit.pattern) {
         case calib::CellPattern::Single:
-            break;
+            return 0;
         case calib::CellPattern::Checkerboard:
-            cell = x % 2 == yUp % 2 ? 0 : 1;
-            break;
+            return x % 2 == yUp % 2 ? 0 : 1;
         case calib::CellPattern::Columns:
-            cell = x % 2;
-            break;
+            return x % 2;
         case calib::CellPattern::Staircase:
-            cell = (yUp + 2 * (x % 2)) % 4;
-            break;
+            return (yUp + 2 * (x % 2)) % 4;
         case calib::CellPattern::Rows:
-            cell = yUp % 2;
-            break;
+            return yUp % 2;
         case calib::CellPattern::FourRows:
-            cell = yUp % 4;
-            break;
+            return yUp % 4;
         }
-        const auto& offsets =
-            unit.cells.at(static_cast<std::size_t>(cell)).at(static_cast<std::size_t>(channel));
-        u += offsets[0] / w;
-        v += offsets[1] / h;
+        return 0;
     }
-    return 1 - fraction((u + v * tilt) * pitch - unit.center);
-}
+
+    calib::LookingGlassCalibration unit;
+    Real w, h, pitch, tilt, subpixel;
+};
 
 inline Real cubevi(const calib::CubeviCalibration& unit, int x, int y, int c) {
     const Real x1 = ((x + 1) + (y + 1) * static_cast<Real>(unit.slope)) * 3 + c;
@@ -97,53 +106,65 @@ inline Real trackedLens(const calib::TrackedLens& lens, const glm::dvec3& eye, i
     return (x + c / Real{3} - (y * slant + init)) / lens.periodPx;
 }
 
-/// Vendor's phase of displays that have one for all eyes; [0, 1).
-inline Real phaseOf(const calib::DisplayProfile& display, int x, int y, int c) {
-    const int views =
-        display.remap.empty() ? display.views : static_cast<int>(display.remap.size());
+/// Half of the least distance between two sub-pixels' places among the views of a lens whose
+/// numbers are fractions with a denominator up to 64; 0 for others.
+inline Real halfStep(const calib::VanBerkelLens& lens, int views) {
+    for (int q = 1; q <= 64; ++q) {
+        const auto whole = [&](double number) {
+            return std::abs(q * number - std::round(q * number)) < 1e-9;
+        };
+        if (!whole(lens.subpixelsPerLens) || !whole(lens.rowShiftSubpixels) ||
+            !whole(lens.offsetSubpixels))
+            continue;
+        const auto steps = std::lround(q * lens.subpixelsPerLens);
+        long common = steps;
+        while (common % views != 0)
+            common += steps;
+        return Real{1} / static_cast<Real>(2 * common);
+    }
+    return 0;
+}
+
+inline int vendorViews(const calib::DisplayProfile& display) {
+    return display.remap.empty() ? display.views : static_cast<int>(display.remap.size());
+}
+
+using PhaseFunction = std::function<Real(int x, int y, int c)>;
+
+/// Vendor's phase, [0, 1), of displays that have one for all eyes; empty for others.
+inline PhaseFunction phaseFunction(const calib::DisplayProfile& display) {
+    const int views = vendorViews(display);
     if (const auto* law = std::get_if<calib::LinearPhase>(&display.law))
-        return fraction(static_cast<Real>(law->perColumn) * x + static_cast<Real>(law->perRow) * y +
-                        law->channels.front().at(static_cast<std::size_t>(c)) + law->offset);
-    if (const auto* lens = std::get_if<calib::VanBerkelLens>(&display.law)) {
-        // Half of the least distance between two sub-pixels' positions among the views.
-        Real step = 0;
-        for (int q = 1; q <= 64 && step == 0; ++q) {
-            const auto whole = [&](double number) {
-                return std::abs(q * number - std::round(q * number)) < 1e-9;
-            };
-            if (whole(lens->subpixelsPerLens) && whole(lens->rowShiftSubpixels) &&
-                whole(lens->offsetSubpixels)) {
-                const auto steps = std::lround(q * lens->subpixelsPerLens);
-                long common = steps;
-                while (common % views != 0)
-                    common += steps;
-                step = Real{1} / common;
-            }
-        }
-        return fraction(vanBerkel(*lens, step / 2, x, y, c));
-    }
+        return [l = *law](int x, int y, int c) {
+            return fraction(static_cast<Real>(l.perColumn) * x + static_cast<Real>(l.perRow) * y +
+                            l.channels.front().at(static_cast<std::size_t>(c)) + l.offset);
+        };
+    if (const auto* lens = std::get_if<calib::VanBerkelLens>(&display.law))
+        return [l = *lens, half = halfStep(*lens, views)](int x, int y, int c) {
+            return fraction(vanBerkel(l, half, x, y, c));
+        };
     if (const auto* unit = std::get_if<calib::LookingGlassCalibration>(&display.law))
-        return lookingGlass(*unit, x, y, c);
+        return LookingGlass(*unit);
     if (const auto* unit = std::get_if<calib::CubeviCalibration>(&display.law))
-        return fraction(cubevi(*unit, x, y, c));
-    if (const auto* table = std::get_if<calib::ViewTable>(&display.law)) {
-        const auto& row = table->rows.at(static_cast<std::size_t>(y) % table->rows.size());
-        const auto k = static_cast<std::size_t>(3 * x + c);
-        return (row.at(k % row.size()) + Real{0.5}) / views;
-    }
-    throw std::invalid_argument("oracle: " + display.type + " has no phase for all eyes");
+        return [u = *unit](int x, int y, int c) { return fraction(cubevi(u, x, y, c)); };
+    if (const auto* table = std::get_if<calib::ViewTable>(&display.law))
+        return [rows = table->rows, views](int x, int y, int c) {
+            const auto& row = rows.at(static_cast<std::size_t>(y) % rows.size());
+            const auto k = static_cast<std::size_t>(3 * x + c);
+            return (row.at(k % row.size()) + Real{0.5}) / views;
+        };
+    return {};
 }
 
 /// Distance of a phase to the nearest boundary between two of N views, cycles.
 inline Real toBoundary(Real phase, int views) {
-    const Real scaled = phase * views;
-    return std::abs(scaled - std::round(scaled)) / views;
+    const Real within = fraction(phase * views);
+    return std::min(within, 1 - within) / views;
 }
 
 /// View of a phase, counted from the left; -1: black.
 inline int viewOf(const calib::DisplayProfile& display, Real phase) {
-    const int views =
-        display.remap.empty() ? display.views : static_cast<int>(display.remap.size());
+    const int views = vendorViews(display);
     const int vendor = std::min(static_cast<int>(phase * views), views - 1);
     if (!display.remap.empty()) return display.remap.at(static_cast<std::size_t>(vendor));
     return display.order == calib::ViewOrder::RightToLeft ? views - 1 - vendor : vendor;

@@ -12,12 +12,13 @@ namespace autostereo::oracle {
 inline Picture interleave(const calib::DisplayProfile& display, const std::vector<Picture>& tiles,
                           int width, int height, gpu::TileFilter filter) {
     Picture panel{width, height, {}};
+    const PhaseFunction phaseOf = phaseFunction(display);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             std::array<double, 3> pixel{};
             for (int c = 0; c < 3; ++c) {
                 const Picture& tile =
-                    tiles[static_cast<std::size_t>(viewOf(display, phaseOf(display, x, y, c)))];
+                    tiles[static_cast<std::size_t>(viewOf(display, phaseOf(x, y, c)))];
                 const double tx = (x + 0.5) * tile.width / width - 0.5;
                 const double ty = (y + 0.5) * tile.height / height - 0.5;
                 const auto channel = static_cast<std::size_t>(c);
