@@ -149,11 +149,13 @@ const Case kCases[] = {
     {"16-inch", 50, -7, 0.5, 283, 3840, 2160, 45},
     {"8k", 38.0546, -7.7, 0, 280, 7680, 4320, 45},
 };
-INSTANTIATE_TEST_SUITE_P(Units, Quilt, testing::ValuesIn(kCases), [](const auto& info) {
-    std::string name = info.param.name;
+std::string nameOf(const testing::TestParamInfo<Case>& tested) {
+    std::string name = tested.param.name;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, Quilt, testing::ValuesIn(kCases), nameOf);
 
 class QuiltPicture : public GlTest {};
 
