@@ -7,6 +7,11 @@ namespace autostereo::calib {
 
 namespace {
 
+/// Cycles -> 2^-48 cycles, wrapping.
+std::uint64_t fixed48(long double cycles) {
+    return static_cast<std::uint64_t>(std::llround(std::ldexp(cycles - std::floor(cycles), 48)));
+}
+
 /// a + (b - a) weight / 2^31, on the circle, the shorter way round; floor.
 std::uint32_t between(std::uint32_t a, std::uint32_t b, std::uint32_t weight) {
     const std::int64_t product =
@@ -62,32 +67,26 @@ std::uint32_t GridTables::at(int x, int y) const {
 
 PhaseTables phaseTables(const LinearPhase& law, int width, int height) {
     PhaseTables tables(width, height);
-    tables.rowPeriod = cellOf(law.pattern, 0, 1) != 0 ? cellCount(law.pattern) : 1;
-    tables.columns.reserve(3 * static_cast<std::size_t>(tables.rowPeriod) *
-                           static_cast<std::size_t>(width));
-    for (int row = 0; row < tables.rowPeriod; ++row) {
-        const int yUp = (4 * height + height - 1 - row) % 4; // patterns repeat every 4 rows
-        for (int x = 0; x < width; ++x) {
-            const auto cell = static_cast<std::size_t>(cellOf(law.pattern, x, yUp));
-            for (const double channel : law.channels[cell])
-                tables.columns.push_back(
-                    turns(static_cast<long double>(law.perColumn) * x + channel));
-        }
+    tables.affine.perColumn = fixed48(law.perColumn);
+    tables.affine.perRow = fixed48(law.perRow);
+    for (int cell = 0; cell < AffinePhase::kCells; ++cell) {
+        const int yUp = 4 * height + height - 1 - cell / 2; // patterns repeat every 4 rows
+        const auto& channels =
+            law.channels[static_cast<std::size_t>(cellOf(law.pattern, cell % 2, yUp))];
+        for (std::size_t c = 0; c < channels.size(); ++c)
+            tables.affine.channels[static_cast<std::size_t>(cell)][c] =
+                turns(static_cast<long double>(channels[c]) + law.offset);
     }
-    tables.rows.reserve(static_cast<std::size_t>(height));
-    for (int y = 0; y < height; ++y)
-        tables.rows.push_back(turns(static_cast<long double>(law.perRow) * y + law.offset));
     tables.grid = gridTables(law.grid, width, height);
     return tables;
 }
 
 PhaseTables phaseTables(const ViewTable& table, int views, int width, int height) {
     PhaseTables tables(width, height);
-    tables.rowPeriod = static_cast<int>(table.rows.size());
+    tables.pattern.rows = static_cast<int>(table.rows.size());
     for (const std::vector<int>& row : table.rows)
         for (std::size_t k = 0; k < 3 * static_cast<std::size_t>(width); ++k)
-            tables.columns.push_back(turns((row[k % row.size()] + 0.5L) / views));
-    tables.rows.assign(static_cast<std::size_t>(height), 0);
+            tables.pattern.phases.push_back(turns((row[k % row.size()] + 0.5L) / views));
     return tables;
 }
 

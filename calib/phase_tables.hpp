@@ -14,6 +14,27 @@ namespace autostereo::calib {
 /// reducing a phase of some thousand cycles loses nothing that 32 fractional bits could show.
 [[nodiscard]] std::uint32_t turns(long double cycles);
 
+/// An affine phase in whole numbers, wrapping: columns and rows in 2^-48 cycle, summed exactly and
+/// rounded once to 2^-32, the channel's share rounded on its own. The coefficients' rounding adds
+/// at most 2^-49 cycle per column and row, so that a phase of 16384 x 16384 pixels is within
+/// 1.25 * 2^-32 cycle. A GPU does the same in two halves of 32 and 16 bits
+/// (shaders/affine_phase.glsl), to the bit.
+struct AffinePhase {
+    static constexpr int kCells = 8; ///< patterns repeat every 2 columns and 4 rows
+
+    std::uint64_t perColumn = 0;
+    std::uint64_t perRow = 0;
+    /// With the offset in them, 2^-32: [(y mod 4) * 2 + x mod 2][c], rows from the top.
+    std::array<std::array<std::uint32_t, 3>, kCells> channels{};
+
+    [[nodiscard]] std::uint32_t at(int x, int y, int c) const {
+        const auto cell = static_cast<std::size_t>(2 * (y & 3) + (x & 1));
+        const std::uint64_t sum = perColumn * static_cast<std::uint64_t>(x) +
+                                  perRow * static_cast<std::uint64_t>(y) + 0x8000;
+        return static_cast<std::uint32_t>(sum >> 16) + channels[cell][static_cast<std::size_t>(c)];
+    }
+};
+
 /// A phase grid in whole numbers, so that host and GPU interpolate it to the same bit.
 struct GridTables {
     /// Left or upper node, and how far from it to the next one in 2^-31.
@@ -30,30 +51,38 @@ struct GridTables {
     [[nodiscard]] std::uint32_t at(int x, int y) const;
 };
 
-/// Phase of every sub-pixel in wrapping unsigned fixed point, 2^32 = one cycle:
-/// phase(x, y, c) = columns[y mod rowPeriod][x][c] + rows[y] + grid(x, y), or lut[y][x][c].
-/// Tables are rounded once from extended precision: without a grid the error is at most 2^-32
-/// cycle, and host and every GPU agree bit for bit. Value type; reentrant.
+/// A small pattern of phases that repeats over the panel from the top left.
+struct PatternTable {
+    int rows = 0;
+    std::vector<std::uint32_t> phases; ///< rows x panel width x 3
+};
+
+/// Phase of every sub-pixel in wrapping unsigned fixed point, 2^32 = one cycle: affine plus grid,
+/// or a repeating pattern, or a LUT of the whole panel. Host and every GPU agree bit for bit. Value
+/// type; reentrant.
 struct PhaseTables {
     PhaseTables() = default;
     PhaseTables(int panelWidth, int panelHeight) : width(panelWidth), height(panelHeight) {}
 
     int width = 0;
     int height = 0;
-    int rowPeriod = 1;
-    std::vector<std::uint32_t> columns;                    ///< rowPeriod x width x 3
-    std::vector<std::uint32_t> rows;                       ///< one per row, top row first
+    AffinePhase affine;
     GridTables grid;                                       ///< without nodes: none
+    PatternTable pattern;                                  ///< with rows: replaces affine
     std::shared_ptr<const std::vector<std::uint32_t>> lut; ///< height x width x 3; replaces all
 
     [[nodiscard]] std::uint32_t phase(int x, int y, int c) const {
-        const auto pixel = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y),
-                   channel = static_cast<std::size_t>(c), across = static_cast<std::size_t>(width);
-        if (lut) return (*lut)[3 * (row * across + pixel) + channel];
-        const std::size_t start =
-            rowPeriod == 1 ? 0 : row % static_cast<std::size_t>(rowPeriod) * across;
-        const std::uint32_t sum = columns[3 * (start + pixel) + channel] + rows[row];
+        if (lut) return (*lut)[subpixel(x, y, c)];
+        if (pattern.rows > 0) return pattern.phases[subpixel(x, y % pattern.rows, c)];
+        const std::uint32_t sum = affine.at(x, y, c);
         return grid.nodes.empty() ? sum : sum + grid.at(x, y);
+    }
+
+  private:
+    [[nodiscard]] std::size_t subpixel(int x, int y, int c) const {
+        return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(x)) +
+               static_cast<std::size_t>(c);
     }
 };
 

@@ -3,6 +3,7 @@
 #include "calib/band_map.hpp"
 #include "gpu/interleaver.hpp"
 #include "gpu/panel_pass.hpp"
+#include "gpu/phase_grid.hpp"
 
 namespace autostereo::gpu {
 
@@ -17,9 +18,11 @@ class BandInterleaver final : public Interleaver {
 
   private:
     PanelPass pass_;
-    gl::Texture columnPhases_; ///< a row per eye
-    gl::Texture rowPhases_;
-    gl::Texture edges_; ///< RGBA32F, one texel a channel
+    static constexpr std::size_t kMostEyes = 16;
+    gl::UniformBuffer<PhaseBlock<kMostEyes>> uniforms_;
+    PhaseBlock<kMostEyes> phases_;
+    PhaseGrid grid_;
+    gl::Texture edges_; ///< of a waveform: RGBA32F, one texel a channel
 };
 
 } // namespace autostereo::gpu

@@ -1,7 +1,12 @@
 #pragma once
 
+#include "calib/phase_tables.hpp"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+
+#include <array>
+#include <cstddef>
 
 namespace autostereo::gpu {
 
@@ -35,8 +40,35 @@ struct InterleaverBlock {
     glm::ivec4 tiles{0};
     glm::ivec4 panel{0};
     glm::vec4 edge{0};
+    glm::vec4 scale{0};
+    glm::uvec4 atlasRow{0};
 };
-static_assert(sizeof(InterleaverBlock) == 64);
+static_assert(sizeof(InterleaverBlock) == 96);
+
+/// shaders/affine_phase.glsl, binding 4, for so many eyes (left to right).
+template<std::size_t Eyes>
+struct PhaseBlock {
+    static constexpr std::size_t kCells = calib::AffinePhase::kCells;
+
+    std::array<glm::uvec4, Eyes> law{};
+    std::array<glm::uvec4, Eyes * kCells> channels{};
+
+    void set(std::size_t eye, const calib::AffinePhase& phase) {
+        const auto upper = [](std::uint64_t number) {
+            return static_cast<std::uint32_t>(number >> 16);
+        };
+        const auto lower = [](std::uint64_t number) {
+            return static_cast<std::uint32_t>(number & 0xffff);
+        };
+        law.at(eye) = {upper(phase.perColumn), upper(phase.perRow), lower(phase.perColumn),
+                       lower(phase.perRow)};
+        for (std::size_t cell = 0; cell < kCells; ++cell) {
+            const auto& [red, green, blue] = phase.channels[cell];
+            channels.at(eye * kCells + cell) = {red, green, blue, 0U};
+        }
+    }
+};
+static_assert(sizeof(PhaseBlock<1>) == 144);
 
 /// shaders/mesh_eye.vert and mesh_camera.vert (its first member), binding 3.
 struct EyeBlock {

@@ -13,7 +13,11 @@ PanelPass::PanelPass(const std::string& fragmentShader, const std::vector<std::s
 
 void PanelPass::draw(const Atlas& atlas, GLuint framebuffer) {
     const calib::QuiltLayout& quilt = atlas.layout().quilt;
-    block_.tiles = {quilt.columns, quilt.tileWidth, quilt.tileHeight, block_.tiles.w};
+    block_.tiles = {quilt.columns, quilt.tileWidth, quilt.tileHeight, 0};
+    block_.scale = {static_cast<float>(quilt.tileWidth) / static_cast<float>(width_),
+                    static_cast<float>(quilt.tileHeight) / static_cast<float>(height_), 0.0F, 0.0F};
+    const auto columns = static_cast<std::uint32_t>(quilt.columns);
+    block_.atlasRow.x = ((1U << 20) + columns - 1) / columns;
     uniforms_.bind(2, block_);
     program_.use();
     glBindTextureUnit(0, atlas.color().name());

@@ -3,6 +3,7 @@
 #include "calib/view_map.hpp"
 #include "gpu/interleaver.hpp"
 #include "gpu/panel_pass.hpp"
+#include "gpu/phase_grid.hpp"
 
 namespace autostereo::gpu {
 
@@ -15,9 +16,10 @@ class ViewInterleaver final : public Interleaver {
 
   private:
     PanelPass pass_;
-    gl::Texture columnPhases_; ///< a texel a column, a row per class of rows; or the whole LUT
-    gl::Texture rowPhases_;
-    gl::Texture gridNodes_, gridColumns_, gridRows_;
+    gl::UniformBuffer<PhaseBlock<1>> uniforms_;
+    PhaseBlock<1> phase_;
+    gl::Texture phaseTable_; ///< LUT or pattern
+    PhaseGrid grid_;
     gl::Texture remap_;
 };
 

@@ -3,10 +3,11 @@
 // the barrier or lens is lit, the maximum where bands overlap.
 #include "interleaver_block.glsl"
 
-layout(binding = 1) uniform usampler2D columnPhases; // a row per eye
-layout(binding = 2) uniform usampler2D rowPhases;    // top row first; a row per eye
+#define EYES 16
+#include "affine_phase.glsl"
+#include "grid_phase.glsl"
 #ifdef WAVEFORM
-layout(binding = 3) uniform sampler2D edges; // rise start, end, fall start, end; R, G, B
+layout(binding = 1) uniform sampler2D edges; // rise start, end, fall start, end; R, G, B
 #endif
 
 layout(location = 0) out vec4 color;
@@ -27,14 +28,15 @@ float weight(uint phase, int channel) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy); // y up
     ivec2 place = ivec2(pixel.x, panel.y - 1 - pixel.y);
+    TilePlace shown = placeInTile(pixel);
     vec3 brightest = vec3(0.0), lobes = vec3(0.0);
+    uint grid = gridPhase(place); // of the sheet, whoever looks
     for (int eye = 0; eye < panel.w; ++eye) {
-        uvec3 phases = texelFetch(columnPhases, ivec2(place.x, eye), 0).xyz +
-                       texelFetch(rowPhases, ivec2(place.y, eye), 0).x;
+        uvec3 cycles = affinePhases(eye, uvec2(place)) + grid;
         for (int channel = 0; channel < 3; ++channel) {
-            float share = weight(phases[channel], channel);
+            float share = weight(cycles[channel], channel);
             if (share == 0.0) continue;
-            float light = share * samplePixel(eye, pixel, channel);
+            float light = share * samplePlace(eye, shown, channel);
             brightest[channel] = max(brightest[channel], light);
             lobes[channel] += min(light, 0.0);
         }

@@ -1,17 +1,26 @@
 // Shared by everything that reads tiles for the panel; twin of InterleaverBlock.
 layout(std140, binding = 2) uniform InterleaverBlock {
-    uvec4 fan;   // views; 1 if the vendor's order is reversed; start and width of lit bands
-    ivec4 tiles; // columns of the atlas; tile width, height; 1 if the picture is upside down
+    uvec4 fan;   // views; 1: tiles from the top; start and width of lit bands, 1: tiles swapped
+    ivec4 tiles; // columns of the atlas; tile width, height
     ivec4 panel; // width, height; rows after which column phases repeat; eyes or panel tiles across
-    vec4 edge;   // 1 / pixels of fade at the border (0: none); negative lobe; grey: screen, gain
+    vec4 edge;   // 1 / pixels of fade at the border; negative lobe; grey: screen, gain
+    vec4 scale;  // texels of a tile per pixel of the panel, x and y
+    uvec4 atlasRow; // 2^20 / columns of the atlas, rounded up
 };
 
 layout(binding = 0) uniform sampler2D atlas;
 
+// Lower left texel of a view's tile. Division by the atlas' columns as a product, because whole
+// division is slow where the GPU is a CPU; exact for views up to 1000 in up to 100 columns.
+ivec2 tileOrigin(int view) {
+    int row = int((uint(view) * atlasRow.x) >> 20);
+    return ivec2(view - row * tiles.x, row) * tiles.yz;
+}
+
 // One channel of view `view` at `place` (texels of its tile, the first centre at 0.5); never reads a
 // neighbouring tile.
 float sampleView(int view, vec2 place, int channel) {
-    ivec2 origin = ivec2(view % tiles.x, view / tiles.x) * tiles.yz;
+    ivec2 origin = tileOrigin(view);
     ivec2 last = tiles.yz - 1;
     vec2 low = floor(place - 0.5), weight = place - 0.5 - low;
     ivec2 a = origin + clamp(ivec2(low), ivec2(0), last);
@@ -23,19 +32,30 @@ float sampleView(int view, vec2 place, int channel) {
     return mix(bottom, top, weight.y);
 }
 
-// The same where the whole picture fills the panel: pixel from the bottom left, in whole numbers.
-float samplePixel(int view, ivec2 pixel, int channel) {
+// Where a pixel (from the bottom left) of a panel that the whole picture fills lies in every tile:
+// texels, or the one texel.
 #ifdef NEAREST
-    ivec2 origin = ivec2(view % tiles.x, view / tiles.x) * tiles.yz;
-    return texelFetch(atlas, origin + (2 * pixel + 1) * tiles.yz / (2 * panel.xy), 0)[channel];
-#else
-    return sampleView(view, (vec2(pixel) + 0.5) * vec2(tiles.yz) / vec2(panel.xy), channel);
-#endif
+#define TilePlace ivec2
+ivec2 placeInTile(ivec2 pixel) {
+    // floor((2 pixel + 1) tile / (2 panel)): a guess in float, made exact in whole numbers.
+    ivec2 texel = ivec2((vec2(pixel) + 0.5) * scale.xy);
+    ivec2 rest = (2 * pixel + 1) * tiles.yz - texel * (2 * panel.xy);
+    return texel + ivec2(greaterThanEqual(rest, 2 * panel.xy)) - ivec2(lessThan(rest, ivec2(0)));
 }
+float samplePlace(int view, ivec2 texel, int channel) {
+    return texelFetch(atlas, tileOrigin(view) + texel, 0)[channel];
+}
+#else
+#define TilePlace vec2
+vec2 placeInTile(ivec2 pixel) { return (vec2(pixel) + 0.5) * scale.xy; }
+float samplePlace(int view, vec2 place, int channel) { return sampleView(view, place, channel); }
+#endif
 
 // Towards black over the outermost pixels.
 float fade(ivec2 pixel) {
-    if (edge.x == 0.0) return 1.0;
+#ifndef FRINGE
+    return 1.0;
+#endif
     ivec2 inside = min(pixel, panel.xy - 1 - pixel);
     return min((float(min(inside.x, inside.y)) + 0.5) * edge.x, 1.0);
 }

@@ -4,7 +4,10 @@
 // usage: bench_interleaver [rounds]
 
 #include "calib/panel_map.hpp"
+#include "gpu/blocks.hpp"
 #include "gpu/gl/context.hpp"
+#include "gpu/gl/shader_source.hpp"
+#include "gpu/gl/uniform_buffer.hpp"
 #include "gpu/interleaver.hpp"
 #include "gpu/readback.hpp"
 
@@ -25,33 +28,38 @@ void main() {
     gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
 })";
 
-/// What both rivals share with the real pass: block-free uniforms, the same texel arithmetic.
-constexpr const char* kTiles = R"(#version 450 core
-layout(location = 0) uniform ivec4 tiles; // columns; tile width, height; views
-layout(location = 1) uniform ivec2 panel;
-layout(location = 2) uniform vec4 law;    // per column, per row, per channel, offset
-layout(binding = 0) uniform sampler2D atlas;
-layout(location = 0) out vec4 color;
-float fetch(int view, ivec2 pixel, int channel) {
-    ivec2 origin = ivec2(view % tiles.x, view / tiles.x) * tiles.yz;
-    return texelFetch(atlas, origin + (2 * pixel + 1) * tiles.yz / (2 * panel), 0)[channel];
-}
-)";
-
+// Both rivals read tiles by the real pass's own code; its block's `edge` carries the phase law:
+// per column, per row, per channel, offset.
 constexpr const char* kFloat = R"(
+layout(location = 0) out vec4 color;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float y = float(panel.y - 1 - pixel.y);
-    float phase = law.x * float(pixel.x) + law.y * y + law.w;
-    vec3 phases = fract(phase + law.z * vec3(0.0, 1.0, 2.0));
-    ivec3 views = ivec3(phases * float(tiles.w));
-    color = vec4(fetch(views.x, pixel, 0), fetch(views.y, pixel, 1), fetch(views.z, pixel, 2), 1.0);
+    float phase = edge.x * float(pixel.x) + edge.y * y + edge.w;
+    vec3 phases = fract(phase + edge.z * vec3(0.0, 1.0, 2.0));
+    ivec3 views = ivec3(phases * float(fan.x));
+    TilePlace place = placeInTile(pixel);
+    color = vec4(samplePlace(views.x, place, 0), samplePlace(views.y, place, 1),
+                 samplePlace(views.z, place, 2), 1.0);
 })";
 
 constexpr const char* kFetchOnly = R"(
+layout(location = 0) out vec4 color;
+void main() {
+    TilePlace place = placeInTile(ivec2(gl_FragCoord.xy));
+    color = vec4(samplePlace(0, place, 0), samplePlace(1, place, 1), samplePlace(2, place, 2), 1.0);
+})";
+
+// The same with neighbouring sub-pixels in other views, as every panel has them: what the cache
+// misses of an interleaved panel cost without any phase.
+constexpr const char* kSpreadFetch = R"(
+layout(location = 0) out vec4 color;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    color = vec4(fetch(0, pixel, 0), fetch(1, pixel, 1), fetch(2, pixel, 2), 1.0);
+    TilePlace place = placeInTile(pixel);
+    int k = 3 * pixel.x + pixel.y;
+    color = vec4(samplePlace(k & 31, place, 0), samplePlace((k + 1) & 31, place, 1),
+                 samplePlace((k + 2) & 31, place, 2), 1.0);
 })";
 
 gpu::gl::ShaderName shader(GLenum stage, const std::string& source) {
@@ -70,26 +78,33 @@ class Rival {
   public:
     Rival(const char* body, const calib::LinearPhase& law, const gpu::AtlasLayout& layout,
           int width, int height)
-        : program_(glCreateProgram()), vertexArray_(gpu::gl::makeVertexArray()), width_(width),
-          height_(height) {
+        : program_(glCreateProgram()), vertexArray_(gpu::gl::makeVertexArray()) {
         const auto vertex = shader(GL_VERTEX_SHADER, kVertex);
-        const auto fragment = shader(GL_FRAGMENT_SHADER, std::string(kTiles) + body);
+        const auto fragment =
+            shader(GL_FRAGMENT_SHADER,
+                   "#version 450 core\n" +
+                       gpu::gl::shaderSource("interleaver_block.glsl", {"NEAREST"}) + body);
         glAttachShader(program_.name(), vertex.name());
         glAttachShader(program_.name(), fragment.name());
         glLinkProgram(program_.name());
-        const GLuint name = program_.name();
-        glProgramUniform4i(name, 0, layout.quilt.columns, layout.quilt.tileWidth,
-                           layout.quilt.tileHeight, layout.views);
-        glProgramUniform2i(name, 1, width, height);
-        glProgramUniform4f(name, 2, static_cast<float>(law.perColumn),
-                           static_cast<float>(law.perRow), static_cast<float>(law.channels[0][1]),
-                           static_cast<float>(law.offset));
+        const calib::QuiltLayout& quilt = layout.quilt;
+        block_.fan.x = static_cast<std::uint32_t>(layout.views);
+        block_.tiles = {quilt.columns, quilt.tileWidth, quilt.tileHeight, 0};
+        block_.panel = {width, height, 1, 1};
+        block_.edge = {static_cast<float>(law.perColumn), static_cast<float>(law.perRow),
+                       static_cast<float>(law.channels[0][1]), static_cast<float>(law.offset)};
+        block_.scale = {static_cast<float>(quilt.tileWidth) / static_cast<float>(width),
+                        static_cast<float>(quilt.tileHeight) / static_cast<float>(height), 0.0F,
+                        0.0F};
+        const auto columns = static_cast<std::uint32_t>(quilt.columns);
+        block_.atlasRow.x = ((1U << 20) + columns - 1) / columns;
     }
-    void render(const gpu::Atlas& atlas, GLuint framebuffer) const {
+    void render(const gpu::Atlas& atlas, GLuint framebuffer) {
+        uniforms_.bind(2, block_);
         glUseProgram(program_.name());
         glBindTextureUnit(0, atlas.color().name());
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-        glViewport(0, 0, width_, height_);
+        glViewport(0, 0, block_.panel.x, block_.panel.y);
         glBindVertexArray(vertexArray_.name());
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
@@ -97,7 +112,8 @@ class Rival {
   private:
     gpu::gl::ProgramName program_;
     gpu::gl::VertexArray vertexArray_;
-    int width_, height_;
+    gpu::InterleaverBlock block_;
+    gpu::gl::UniformBuffer<gpu::InterleaverBlock> uniforms_;
 };
 
 double milliseconds(const std::function<void()>& pass) {
@@ -156,31 +172,35 @@ void compare(int width, int height, const gpu::AtlasLayout& layout, int rounds) 
     const auto exact =
         gpu::makeInterleaver(calib::panelMap(display, width, height), width, height,
                              {gpu::TileFilter::Nearest, gpu::ViewFilter::Nearest, 0});
-    const Rival plain(kFloat, phaseLaw(width), layout, width, height);
-    const Rival fetch(kFetchOnly, phaseLaw(width), layout, width, height);
+    Rival plain(kFloat, phaseLaw(width), layout, width, height);
+    Rival fetch(kFetchOnly, phaseLaw(width), layout, width, height);
+    Rival spread(kSpreadFetch, phaseLaw(width), layout, width, height);
 
-    std::array<std::vector<double>, 3> times;
+    std::array<std::vector<double>, 4> times;
     constexpr int kWarmUp = 3;
     for (int round = -kWarmUp; round < rounds; ++round) {
-        const std::array<double, 3> taken{
+        const std::array<double, 4> taken{
             milliseconds([&] {
                 exact->render({&atlas, nullptr}, panel.name());
             }),
             milliseconds([&] { plain.render(atlas, second.name()); }),
-            milliseconds([&] { fetch.render(atlas, second.name()); })};
+            milliseconds([&] { fetch.render(atlas, second.name()); }),
+            milliseconds([&] { spread.render(atlas, second.name()); })};
         for (std::size_t i = 0; i < taken.size() && round >= 0; ++i)
             times.at(i).push_back(taken.at(i));
     }
     plain.render(atlas, second.name());
     const double wrong = differing(gpu::readFramebuffer(panel.name(), width, height),
                                    gpu::readFramebuffer(second.name(), width, height));
-    const double fixed = median(times[0]), floating = median(times[1]), only = median(times[2]);
-    std::printf("{\"suite\": \"interleaver\", \"panel\": \"%dx%d\", \"views\": %d, "
-                "\"fixed_ms\": %.2f, \"float_ms\": %.2f, \"fetch_only_ms\": %.2f, "
-                "\"ratio_to_float\": %.3f, \"ratio_to_fetch_only\": %.3f, "
-                "\"float_differs_share\": %.6f}\n",
-                width, height, layout.views, fixed, floating, only, fixed / floating, fixed / only,
-                wrong);
+    const double fixed = median(times[0]), floating = median(times[1]), only = median(times[2]),
+                 apart = median(times[3]);
+    std::printf(
+        "{\"suite\": \"interleaver\", \"panel\": \"%dx%d\", \"views\": %d, "
+        "\"fixed_ms\": %.2f, \"float_ms\": %.2f, \"fetch_only_ms\": %.2f, "
+        "\"ratio_to_float\": %.3f, \"ratio_to_fetch_only\": %.3f, \"ratio_to_spread_fetch\": %.3f, "
+        "\"float_differs_share\": %.6f}\n",
+        width, height, layout.views, fixed, floating, only, fixed / floating, fixed / only,
+        fixed / apart, wrong);
 }
 
 } // namespace

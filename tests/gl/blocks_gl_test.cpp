@@ -45,6 +45,17 @@ TEST_F(BlocksGlTest, InterleaverBlock) {
     EXPECT_EQ(offsetOf(program, "tiles"), offsetof(gpu::InterleaverBlock, tiles));
     EXPECT_EQ(offsetOf(program, "panel"), offsetof(gpu::InterleaverBlock, panel));
     EXPECT_EQ(offsetOf(program, "edge"), offsetof(gpu::InterleaverBlock, edge));
+    EXPECT_EQ(offsetOf(program, "scale"), offsetof(gpu::InterleaverBlock, scale));
+    EXPECT_EQ(offsetOf(program, "atlasRow"), offsetof(gpu::InterleaverBlock, atlasRow));
+}
+
+TEST_F(BlocksGlTest, PhaseBlock) {
+    const gpu::gl::Program view({"full_screen.vert", "view_interleaver.frag"});
+    EXPECT_EQ(offsetOf(view, "law[0]"), offsetof(gpu::PhaseBlock<1>, law));
+    EXPECT_EQ(offsetOf(view, "channels[0]"), offsetof(gpu::PhaseBlock<1>, channels));
+    const gpu::gl::Program bands({"full_screen.vert", "band_interleaver.frag"});
+    EXPECT_EQ(offsetOf(bands, "law[0]"), offsetof(gpu::PhaseBlock<16>, law));
+    EXPECT_EQ(offsetOf(bands, "channels[0]"), offsetof(gpu::PhaseBlock<16>, channels));
 }
 
 TEST_F(BlocksGlTest, EyeBlock) {

@@ -40,12 +40,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Variant{{"mesh_view.vert", "mesh_disparity.frag"}, {"DISPARITY"}}));
 
 std::vector<Variant> interleavers() {
-    std::vector<Variant> variants{{{"full_screen.vert", "depth_frame.frag"}, {}},
-                                  {{"full_screen.vert", "depth_frame.frag"}, {"HEADER"}},
-                                  {{"full_screen.vert", "tile_interleaver.frag"}, {}},
-                                  {{"full_screen.vert", "tile_interleaver.frag"}, {"NEAREST"}},
-                                  {{"full_screen.vert", "band_interleaver.frag"}, {}},
-                                  {{"full_screen.vert", "band_interleaver.frag"}, {"WAVEFORM"}}};
+    std::vector<Variant> variants{
+        {{"full_screen.vert", "depth_frame.frag"}, {}},
+        {{"full_screen.vert", "depth_frame.frag"}, {"HEADER"}},
+        {{"full_screen.vert", "tile_interleaver.frag"}, {}},
+        {{"full_screen.vert", "tile_interleaver.frag"}, {"NEAREST"}},
+        {{"full_screen.vert", "band_interleaver.frag"}, {}},
+        {{"full_screen.vert", "band_interleaver.frag"}, {"WAVEFORM", "GRID", "FRINGE"}},
+        {{"full_screen.vert", "view_interleaver.frag"}, {"PATTERN", "REVERSED"}},
+        {{"full_screen.vert", "view_interleaver.frag"}, {"UPSIDE_DOWN", "FRINGE"}}};
     const std::vector<std::string> switches{"LUT", "CELLS", "GRID", "REMAP", "NEAREST", "BLEND"};
     for (unsigned set = 0; set < 1U << switches.size(); ++set) {
         Variant variant{{"full_screen.vert", "view_interleaver.frag"}, {}};

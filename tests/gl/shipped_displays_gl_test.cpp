@@ -15,9 +15,9 @@ namespace {
 
 using oracle::Real;
 
-/// Both tables are rounded to 2^-32 cycle, their sum is off by at most that; the formula itself is
-/// carried in double where the tables start, up to 1e-12 cycle.
-const Real kPhaseBound = std::ldexp(Real{1}, -32) + Real{1e-12};
+/// Two roundings to 2^-32 cycle, and 2^-49 for every column and row (16,384 of each: 2^-34); the
+/// coefficients are carried in double until there, up to 1e-12 cycle.
+const Real kPhaseBound = std::ldexp(Real{1}, -32) + std::ldexp(Real{1}, -34) + Real{1e-12};
 /// A difference of views is the rounding's only within this distance of a boundary, cycles.
 const Real kTieBound = std::ldexp(Real{1}, -31);
 constexpr int kManyViews = 100;
