@@ -10,16 +10,16 @@ const std::map<std::string, config::Speed> kSpeeds{{"realtime", config::Speed::R
                                                    {"max", config::Speed::Max}};
 const std::map<std::string, gpu::Method> kMethods{{"instanced", gpu::Method::Instanced},
                                                   {"multipass", gpu::Method::Multipass}};
-const std::map<std::string, Picture> kPictures{{"panel", Picture::Panel},
-                                               {"quilt", Picture::Quilt},
-                                               {"views", Picture::Views},
-                                               {"view", Picture::View},
-                                               {"depth", Picture::Depth}};
+const std::map<std::string, Picture> kPictures{
+    {"panel", Picture::Panel},    {"quilt", Picture::Quilt},
+    {"views", Picture::Views},    {"view", Picture::View},
+    {"depth", Picture::Depth},    {"2d-plus-depth", Picture::DepthFrame},
+    {"sbs", Picture::SideBySide}, {"anaglyph", Picture::Anaglyph}};
 
 // Known words of the command line whose work is not in this version yet.
 constexpr std::array kLaterCommands{"look",   "import",   "calibrate", "record", "bench",
                                     "status", "snapshot", "reload",    "set",    "show"};
-constexpr std::array kLaterPictures{"2d-plus-depth", "sbs", "anaglyph", "disparity"};
+constexpr std::array kLaterPictures{"disparity"};
 constexpr std::array kLaterMethods{"auto", "direct", "geometry", "mrt", "hybrid"};
 
 void addScene(CLI::App& command, SceneOptions& scene) {
@@ -67,7 +67,8 @@ void addRender(CLI::App& app, RenderOptions& render) {
     command
         ->add_option_function<std::string>(
             "--as", oneOf(render.as, kPictures, "--as", kLaterPictures),
-            "panel, quilt, views (a folder of PNGs), view (one eye) or depth (16-bit PNG, mm)")
+            "panel, quilt, views (a folder of PNGs), view (one eye), depth (16-bit PNG, mm), "
+            "2d-plus-depth, sbs or anaglyph")
         ->required();
     command
         ->add_option_function<std::vector<double>>("--eye", vector3(render.eye, "--eye"),

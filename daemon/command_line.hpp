@@ -38,7 +38,7 @@ struct RunOptions {
     std::optional<std::filesystem::path> report;
 };
 
-enum class Picture { Panel, Quilt, Views, View, Depth };
+enum class Picture { Panel, Quilt, Views, View, Depth, DepthFrame, SideBySide, Anaglyph };
 
 struct RenderOptions {
     SceneOptions scene;

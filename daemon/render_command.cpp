@@ -1,6 +1,7 @@
 #include "daemon/commands.hpp"
 #include "daemon/log.hpp"
 #include "daemon/picture_files.hpp"
+#include "daemon/plain_display.hpp"
 #include "daemon/wiring.hpp"
 #include "devices/replay_feed.hpp"
 #include "gpu/exports.hpp"
@@ -40,13 +41,26 @@ void writeViews(const gpu::Atlas& atlas, const std::filesystem::path& folder) {
     }
 }
 
+/// The display, or the format that stands in for it.
+calib::DisplayProfile displayAs(Picture as, const calib::DisplayProfile& display) {
+    const PanelSize size = offscreenSize(display);
+    const auto plain = [&](PlainFormat format) {
+        return plainDisplay(display, format, size.width, size.height);
+    };
+    if (as == Picture::DepthFrame) return plain(PlainFormat::DepthFrame);
+    if (as == Picture::SideBySide) return plain(PlainFormat::SideBySide);
+    if (as == Picture::Anaglyph) return plain(PlainFormat::Anaglyph);
+    return display;
+}
+
 } // namespace
 
 int render(const RenderOptions& options) {
     config::Config config = configuration(options.scene);
     setUpLog(config.log.level);
     if (options.method) config.pipeline.synthesis.method = *options.method;
-    const calib::DisplayProfile display = chooseDisplay(config);
+    const Picture as = options.as.value_or(Picture::Panel);
+    const calib::DisplayProfile display = displayAs(as, chooseDisplay(config));
     devices::Input input = openScene(config);
     const calib::SensorRig rig = *input.rig;
     devices::ReplayFeed feed(std::move(input), config.sync, false);
@@ -58,8 +72,11 @@ int render(const RenderOptions& options) {
     pipeline.render(frame, panel.framebuffer());
 
     const gpu::AtlasLayout& layout = pipeline.atlas().layout();
-    switch (options.as.value_or(Picture::Panel)) {
+    switch (as) {
     case Picture::Panel:
+    case Picture::DepthFrame:
+    case Picture::SideBySide:
+    case Picture::Anaglyph:
         writePicturePng(options.output,
                         gpu::readFramebuffer(panel.framebuffer(), size.width, size.height));
         break;
