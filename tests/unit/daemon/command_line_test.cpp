@@ -195,7 +195,8 @@ TEST(CommandLine, WhatCannotBeReadIsOneLineAndNamesTheOption) {
 
 TEST(CommandLine, NoCommandSaysWhichThereAre) {
     EXPECT_EQ(usageError({}),
-              "no command given (run, render, check, devices): see autostereo --help");
+              "no command given (run, render, interleave, viewmap, look, pattern, import, "
+              "check, devices): see autostereo --help");
 }
 
 TEST(CommandLine, HelpShowsAnExampleForEachCommand) {
