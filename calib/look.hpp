@@ -20,7 +20,7 @@ struct EyePicture {
 /// linear, mean of the seen sub-pixels of each colour, -> sRGB. The mean's weights are what the
 /// eye sees of each times a tent one lens period wide and as many rows high as the axes take to
 /// move by one pixel (half maximum); wider where that finds no light. Nothing of a colour
-/// anywhere is black. Pure; reentrant; time grows with the number of sub-pixels only, memory is 28
+/// anywhere is black. Pure; reentrant; time grows with the number of sub-pixels only, memory is 20
 /// bytes a pixel. Throws std::invalid_argument where `panel` has another size or the eye is not in
 /// front of panel and lenses.
 [[nodiscard]] EyePicture look(const DisplayOptics& optics, const LightModel& light,
