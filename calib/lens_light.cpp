@@ -9,8 +9,8 @@ namespace autostereo::calib {
 
 namespace {
 
-/// Where a line lies on the border of two sub-pixels up to rounding (some 1e-12 of a cycle with
-/// thousands of lenses), this much to the left decides.
+/// A line on the border of two sub-pixels, up to rounding (some 1e-12 of a cycle with thousands of
+/// lenses), counts as this much farther right.
 constexpr double kTie = 1e-9;
 
 /// Share of a box `width` wide at `centre`, cycles, within the apertures around whole numbers.

@@ -14,8 +14,8 @@ struct LightModel {
 
 /// Share of each sub-pixel of row y that the eye sees, 0 to 1, as [x][c] (3 x width numbers): how
 /// much of the sub-pixel's width lies in the aperture of a lens or slit. With a line for an
-/// aperture: 1 where the sub-pixel holds it (of two neighbours that it lies between the left one),
-/// else 0. Pure; reentrant; `eye.z` > max(gapM, 0).
+/// aperture: 1 where the sub-pixel holds it (of two neighbours that it lies between, the right
+/// one), else 0. Pure; reentrant; `eye.z` > max(gapM, 0).
 void seenShares(const DisplayOptics& optics, const LightModel& light, const glm::dvec3& eye, int y,
                 std::span<double> shares);
 
