@@ -61,10 +61,11 @@ void seenShares(const DisplayOptics& optics, const LightModel& light, const glm:
                 std::span<double> shares) {
     const SubpixelLayout& layout = optics.subpixels;
     const double width = layout.pixelM / 3 * optics.lenses.cyclesPerM(eye.z);
+    std::size_t at = 0;
     for (int x = 0; x < layout.width; ++x)
         for (int c = 0; c < 3; ++c)
-            shares[static_cast<std::size_t>(3 * x + c)] = shareInside(
-                optics.lenses.coordinate(eye, layout.position(x, y, c)), width, light.aperture);
+            shares[at++] = shareInside(optics.lenses.coordinate(eye, layout.position(x, y, c)),
+                                       width, light.aperture);
     if (light.crosstalk > 0) leak(layout, light.crosstalk, y, shares);
 }
 

@@ -240,7 +240,8 @@ double correctionAt(const PhaseGrid& grid, double across, double down) {
     const auto node = [&](int column, int row) {
         column = std::min(column, grid.columns - 1);
         row = std::min(row, grid.rows - 1);
-        return grid.cycles[static_cast<std::size_t>(row * grid.columns + column)];
+        return grid.cycles[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
+                           static_cast<std::size_t>(column)];
     };
     return mix(mix(node(left, upper), node(left + 1, upper), x - left),
                mix(node(left, upper + 1), node(left + 1, upper + 1), x - left), y - upper);

@@ -109,8 +109,9 @@ Prediction predict(const DisplayProfile& display, const Eyes& eyes) {
     Prediction found;
     double own = 0, other = 0;
     for (int i = 0; i < kNodes * kNodes; ++i) {
-        const glm::dvec2 place{display.widthM * (i % kNodes / (kNodes - 1.0) - 0.5),
-                               display.heightM() * (i / kNodes / (kNodes - 1.0) - 0.5)};
+        const int column = i % kNodes, row = i / kNodes;
+        const glm::dvec2 place{display.widthM * (column / (kNodes - 1.0) - 0.5),
+                               display.heightM() * (row / (kNodes - 1.0) - 0.5)};
         const double lit = litPhase(screen, place, eyes.left);
         const double offRight = rayPhase(screen, place, eyes.right) - lit;
         const double offLeft = rayPhase(screen, place, eyes.left) - lit;
