@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -30,8 +31,13 @@ int viewOf(const calib::DisplayProfile& display, int x, int y, int c) {
 class LoadDisplay : public test::TempFolder {};
 
 TEST_F(LoadDisplay, shippedNames) {
-    EXPECT_EQ(displayNames(), (std::vector<std::string>{"barrier-5view", "looking-glass-portrait",
-                                                        "preview", "slanted-8view-1080p"}));
+    const auto names = displayNames();
+    EXPECT_EQ(names.size(), 41U);
+    EXPECT_TRUE(std::ranges::is_sorted(names));
+    for (const char* name : {"barrier-5view", "cubevi-c1", "generic-side-by-side",
+                             "looking-glass-8.9-gen1", "looking-glass-portrait", "preview",
+                             "slanted-8view-1080p", "varrier-scylla-tile", "wowvx-42"})
+        EXPECT_TRUE(std::ranges::binary_search(names, name)) << name;
 }
 
 TEST_F(LoadDisplay, shippedProfilesAreWhole) {
@@ -128,9 +134,9 @@ provenance = { width_mm = "measured", distance_m = "assumed", cone_deg = "assume
 }
 
 TEST_F(LoadDisplay, unknownNameListsTheShippedOnes) {
-    EXPECT_EQ(test::messageOf<ConfigError>([] { (void)loadDisplay("portrait"); }),
-              "display: \"portrait\" is no profile and no file *.toml (allowed barrier-5view, "
-              "looking-glass-portrait, preview, slanted-8view-1080p)");
+    EXPECT_TRUE(test::messageOf<ConfigError>([] { (void)loadDisplay("portrait"); })
+                    .starts_with("display: \"portrait\" is no profile and no file *.toml (allowed "
+                                 "barrier-5view, barrier-8view, "));
     EXPECT_EQ(test::messageOf<ConfigError>([] { (void)loadDisplay("portrait.toml"); }),
               "portrait.toml: cannot be read: No such file or directory");
 }
