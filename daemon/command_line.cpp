@@ -17,8 +17,8 @@ const std::map<std::string, Picture> kPictures{{"panel", Picture::Panel},
                                                {"depth", Picture::Depth}};
 
 // Known words of the command line whose work is not in this version yet.
-constexpr std::array kLaterCommands{"look",   "import",   "calibrate", "record", "bench",
-                                    "status", "snapshot", "reload",    "set",    "show"};
+constexpr std::array kLaterCommands{"look",     "calibrate", "record", "bench", "status",
+                                    "snapshot", "reload",    "set",    "show"};
 constexpr std::array kLaterPictures{"2d-plus-depth", "sbs", "anaglyph", "disparity"};
 constexpr std::array kLaterMethods{"auto", "direct", "geometry", "mrt", "hybrid"};
 

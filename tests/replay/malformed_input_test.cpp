@@ -173,7 +173,7 @@ TEST_F(MalformedInput, WrongCommandLines) {
     EXPECT_TRUE(fails({"run", "--input", "v4l2:/dev/video0"})) << "known, but not in this version";
     EXPECT_TRUE(fails({"run", "--input", "sim:moon"}));
     EXPECT_TRUE(fails({"run", "--input", "sim:room?fog=1"}));
-    EXPECT_TRUE(fails({"viewmap"})) << "known, but not in this version";
+    EXPECT_TRUE(fails({"viewmap"})) << "--display is missing";
 }
 
 TEST_F(MalformedInput, WrongConfigurationsSayWhere) {

@@ -122,8 +122,8 @@ TEST(CommandLine, CheckAndDevices) {
 }
 
 TEST(CommandLine, LaterCommandsAndOptionsSaySo) {
-    for (const char* command : {"interleave", "viewmap", "look", "pattern", "import", "calibrate",
-                                "record", "bench", "status", "snapshot", "reload", "set", "show"})
+    for (const char* command :
+         {"look", "calibrate", "record", "bench", "status", "snapshot", "reload", "set", "show"})
         EXPECT_EQ(usageError({command, "--whatever", "x"}),
                   std::string(command) + ": not in this version");
     EXPECT_EQ(usageError({"run", "--record", "a.mkv"}), "--record: not in this version");
