@@ -149,6 +149,17 @@ void readDepthBudget(DisplayReader& display) {
     display.profile.disparityNear = budget.number("near", {0.001, 0.5});
 }
 
+/// Which shipped displays a wrong name may mean: those that contain it or are nearly it, else all.
+std::string suggestions(const std::string& name) {
+    const auto names = displayNames();
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    std::string list(nearestWord(name, words));
+    if (list.empty() && !name.empty())
+        for (const std::string& word : names)
+            if (word.find(name) != std::string::npos) list += (list.empty() ? "" : ", ") + word;
+    return list.empty() ? allowed(words) : "(did you mean " + list + "?)";
+}
+
 /// A unit's file may build on a shipped one: what it gives replaces what that says.
 void inheritBase(DisplayReader& display) {
     if (!display.root.has("base")) return;
@@ -156,9 +167,7 @@ void inheritBase(DisplayReader& display) {
     const std::string file = std::string(kShippedFolder) + base + std::string(kExtension);
     const auto text = embeddedText(file);
     if (text.empty()) {
-        const auto names = displayNames();
-        display.root.reject("base", '"' + base + "\" is no shipped display " +
-                                        allowed({names.begin(), names.end()}));
+        display.root.reject("base", '"' + base + "\" is no shipped display " + suggestions(base));
         display.root.check();
     }
     if (display.root.has("type")) {
@@ -199,10 +208,8 @@ calib::DisplayProfile shippedDisplay(const std::string& name) {
     const std::string file = std::string(kShippedFolder) + name + std::string(kExtension);
     if (const auto text = embeddedText(file); !text.empty()) return displayFromText(file, text);
 
-    const auto names = displayNames();
-    const std::vector<std::string_view> words(names.begin(), names.end());
     throw ConfigError(
-        oneLine("display: \"" + name + "\" is no profile and no file *.toml " + allowed(words)));
+        oneLine("display: \"" + name + "\" is no profile and no file *.toml " + suggestions(name)));
 }
 
 } // namespace

@@ -134,9 +134,18 @@ provenance = { width_mm = "measured", distance_m = "assumed", cone_deg = "assume
 }
 
 TEST_F(LoadDisplay, unknownNameListsTheShippedOnes) {
-    EXPECT_TRUE(test::messageOf<ConfigError>([] { (void)loadDisplay("portrait"); })
-                    .starts_with("display: \"portrait\" is no profile and no file *.toml (allowed "
-                                 "barrier-5view, barrier-8view, "));
+    const auto message = [](const char* name) {
+        return test::messageOf<ConfigError>([&] { (void)loadDisplay(name); });
+    };
+    EXPECT_EQ(message("portrait"),
+              "display: \"portrait\" is no profile and no file *.toml (did you mean "
+              "looking-glass-16-portrait-gen3, looking-glass-27-portrait-gen3, "
+              "looking-glass-32-portrait-gen3, looking-glass-portrait, "
+              "looking-glass-portrait-template?)");
+    EXPECT_EQ(message("preveiw"),
+              "display: \"preveiw\" is no profile and no file *.toml (did you mean preview?)");
+    EXPECT_TRUE(message("xyz").starts_with("display: \"xyz\" is no profile and no file *.toml "
+                                           "(allowed barrier-5view, barrier-8view, "));
     EXPECT_EQ(test::messageOf<ConfigError>([] { (void)loadDisplay("portrait.toml"); }),
               "portrait.toml: cannot be read: No such file or directory");
 }
