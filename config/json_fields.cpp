@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <regex>
 #include <set>
 
 namespace autostereo::config {
@@ -18,11 +19,14 @@ using nlohmann::json;
     throw ConfigError(oneLine(file + ": " + message));
 }
 
-/// nlohmann's own words without its name and number in front.
-std::string reason(const json::exception& error) {
-    const std::string_view what = error.what();
-    const auto end = what.find("] ");
-    return std::string(end == std::string_view::npos ? what : what.substr(end + 2));
+/// nlohmann's own words, "[json.exception.parse_error.101] parse error at line 1, column 2: why",
+/// as "file:1:2: is no JSON: why".
+[[noreturn]] void failAsWritten(const std::string& file, const std::string& what) {
+    const std::regex form(R"(\[[^\]]*\] (?:parse error at line (\d+), column (\d+): )?)");
+    std::smatch match;
+    std::regex_search(what, match, form, std::regex_constants::match_continuous);
+    const std::string place = match[1].matched ? ':' + match.str(1) + ':' + match.str(2) : "";
+    fail(file + place, "is no JSON: " + what.substr(static_cast<std::size_t>(match.length(0))));
 }
 
 json parsed(const std::string& file, std::string_view text) {
@@ -37,7 +41,7 @@ json parsed(const std::string& file, std::string_view text) {
     try {
         return json::parse(text, limited);
     } catch (const json::exception& error) {
-        fail(file, "is no JSON: " + reason(error));
+        failAsWritten(file, error.what());
     }
 }
 
@@ -162,7 +166,8 @@ std::map<std::string, std::string> JsonFields::rest() const {
     for (const auto& [key, value] : node_->object->items()) {
         if (node_->asked.contains(key) || texts.size() == kMost) continue;
         // ASCII only, so that the cut cannot split a letter.
-        const std::string text = unwrapped(value).dump(-1, ' ', true);
+        std::string text = unwrapped(value).dump(-1, ' ', true);
+        if (unwrapped(value).is_string()) text = text.substr(1, text.size() - 2);
         texts.emplace(key, text.size() > kLongest ? text.substr(0, kLongest) + "..." : text);
     }
     return texts;

@@ -39,7 +39,8 @@ class JsonFields {
     /// A number, whatever its value, for a look before the ranges; nothing where there is none.
     [[nodiscard]] std::optional<double> anyNumber(std::string_view key) const;
 
-    /// What no getter asked for, as JSON of at most 200 characters; at most 64 keys.
+    /// What no getter asked for, as JSON of at most 200 characters (texts without their quotes); at
+    /// most 64 keys.
     [[nodiscard]] std::map<std::string, std::string> rest() const;
 
     [[noreturn]] void reject(std::string_view key, const std::string& what) const;

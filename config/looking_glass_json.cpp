@@ -60,17 +60,6 @@ void noteUnusual(LookingGlassUnit& unit) {
     look("center", unit.lens.center, {-1, 1});
     look("DPI", unit.lens.dpi, {100, 600});
     look("viewCone", unit.viewConeDeg.value_or(40), {20, 70});
-    if (unit.notes.contains("verticalAngle") && unit.notes.at("verticalAngle") != "0")
-        unit.warnings.push_back("verticalAngle is not 0, and not used");
-}
-
-void readNotes(JsonFields& json, LookingGlassUnit& unit) {
-    unit.notes = json.rest();
-    // Asked for, so that their type is checked; kept, since nothing uses them.
-    if (const std::string version = json.text("configVersion"); !version.empty())
-        unit.notes["configVersion"] = version;
-    for (const char* key : {"invView", "verticalAngle"})
-        if (json.has(key)) unit.notes[key] = plain(json.number(key, {-360, 360}));
 }
 
 } // namespace
@@ -84,7 +73,7 @@ std::optional<std::string> looking_glass::cellProblem(CellPattern pattern, std::
     const auto needed = static_cast<std::size_t>(calib::cellCount(pattern));
     if (cells >= needed) return std::nullopt;
     return "has " + std::to_string(cells) +
-           " rows, too few for its cell_pattern (allowed at least " + std::to_string(needed) + ')';
+           " rows, too few for its cell pattern (allowed at least " + std::to_string(needed) + ')';
 }
 
 LookingGlassUnit readLookingGlassJson(const std::string& file, std::string_view text) {
@@ -107,8 +96,10 @@ LookingGlassUnit readLookingGlassJson(const std::string& file, std::string_view 
     if (json.has("viewCone")) unit.viewConeDeg = json.number("viewCone", kConeDeg);
     unit.fringe = static_cast<int>(std::lround(json.number("fringe", looking_glass::kFringe, 0)));
     readCells(json, lens);
-    readNotes(json, unit);
+    unit.notes = json.rest();
     noteUnusual(unit);
+    if (json.anyNumber("verticalAngle").value_or(0) != 0)
+        unit.warnings.emplace_back("verticalAngle is not 0, and not used");
     return unit;
 }
 

@@ -76,7 +76,8 @@ TEST_F(ImportDisplay, thirdGenerationKeepsItsCells) {
     ASSERT_EQ(lens.cells.size(), 2U);
     EXPECT_EQ(lens.cells[1][1][0], 0.2800000011920929);
     EXPECT_EQ(lens.cells[1][2][1], 0.25);
-    EXPECT_EQ(display.notes.at("invView"), "0");
+    EXPECT_EQ(display.notes.at("invView"), "0.0");
+    EXPECT_EQ(display.notes.at("configVersion"), "3.0");
     EXPECT_EQ(display.views, 49);
     EXPECT_EQ(display.model,
               "Looking Glass 16 inch OLED landscape, third generation, unit LKG-J00133");
