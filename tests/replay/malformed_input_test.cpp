@@ -191,6 +191,31 @@ TEST_F(MalformedInput, WrongConfigurationsSayWhere) {
     EXPECT_TRUE(failedPlainly(play(kSmallRoom, {"--config", folder / "none.toml"})));
 }
 
+TEST_F(MalformedInput, WrongDisplaysSayWhere) {
+    const auto said = [this](const std::string& display) {
+        const ProgramResult result =
+            runProgram(calling({"viewmap", "--display", display, "--output", folder / "map.npy"}));
+        EXPECT_TRUE(failedPlainly(result, 2));
+        return result.err;
+    };
+    std::filesystem::create_directory(folder / "folder.toml");
+    const std::string json = folder.file("cut.json", "{\"pitch\": 50");
+    const std::string base = folder.file("base.toml", "base = \"preview\"\ntype = \"lut\"\n");
+    EXPECT_EQ(said(folder / "folder.toml"),
+              "autostereo: " + (folder / "folder.toml") + ": cannot be read: Is a directory\n");
+    EXPECT_EQ(said(folder.file("long.toml", std::string(2 << 20, ' '))),
+              "autostereo: " + (folder / "long.toml") +
+                  ": cannot be read: it is longer than 1 MiB\n");
+    EXPECT_EQ(said(json), "autostereo: " + json +
+                              ":1:13: is no JSON: syntax error while parsing object - unexpected "
+                              "end of input; expected '}'\n");
+    EXPECT_EQ(said(base), "autostereo: " + base +
+                              ":1:8: base: \"preview\" is of type anaglyph (allowed displays of "
+                              "the file's own type)\n");
+    EXPECT_EQ(said("preveiw"), "autostereo: display: \"preveiw\" is no profile and no file *.toml "
+                               "(did you mean preview?)\n");
+}
+
 TEST_F(MalformedInput, OutputsThatCannotBeWritten) {
     EXPECT_TRUE(failedPlainly(play(kSmallRoom, {"--snapshot", folder / "none/panel.png"}), 1));
     EXPECT_TRUE(failedPlainly(

@@ -195,11 +195,13 @@ TEST(CommandLine, WhatCannotBeReadIsOneLineAndNamesTheOption) {
 
 TEST(CommandLine, NoCommandSaysWhichThereAre) {
     EXPECT_EQ(usageError({}),
-              "no command given (run, render, check, devices): see autostereo --help");
+              "no command given (run, render, interleave, viewmap, look, pattern, import, check, "
+              "devices): see autostereo --help");
 }
 
 TEST(CommandLine, HelpShowsAnExampleForEachCommand) {
-    for (const std::string command : {"run", "render", "check", "devices"}) {
+    for (const std::string command : {"run", "render", "interleave", "viewmap", "pattern", "import",
+                                      "check", "devices"}) {
         const std::string help = std::get<Information>(parse({command, "--help"})).text;
         EXPECT_NE(help.find("Example: autostereo " + command + " "), std::string::npos) << help;
         EXPECT_EQ(help.find("--record"), std::string::npos) << "shows what is not there yet";
