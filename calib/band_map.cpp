@@ -35,7 +35,7 @@ LinearPhase lineScreenPhase(const LineScreen& screen, const DisplayProfile& disp
 
 LinearPhase trackedLensPhase(const TrackedLens& lens, const glm::dvec3& eye) {
     const double slant = lens.rowIncrementPx;
-    const double sideways = (eye.x - slant * eye.y) / std::hypot(1, slant);
+    const double sideways = (eye.x + slant * eye.y) / std::hypot(1, slant);
     const double init = lens.initPx + lens.eyeGainPx * sideways / (eye.z + lens.zBiasM);
     LinearPhase phase;
     phase.perColumn = 1 / lens.periodPx;

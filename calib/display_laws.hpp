@@ -134,7 +134,7 @@ struct LineScreen {
 };
 
 /// Lenses with two tracked eyes, in pixels: for an eye e, phase = (x + c/3 - rowIncrement y -
-/// init(e)) / period, lit where fract(phase) < fill; init = initPx + eyeGainPx (e.x - rowIncrement
+/// init(e)) / period, lit where fract(phase) < fill; init = initPx + eyeGainPx (e.x + rowIncrement
 /// e.y) / (sqrt(1 + rowIncrement^2) (e.z + zBias)).
 struct TrackedLens {
     double periodPx = 0;

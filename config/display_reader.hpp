@@ -9,6 +9,15 @@
 
 namespace autostereo::config {
 
+// Ranges that display files and vendors' calibrations share.
+constexpr Range kPanelPixels{16, 16384};
+constexpr Range kConeDeg{1, 120};
+namespace cubevi {
+constexpr Range kSubpixelsPerLens{1, 1000};
+constexpr Range kSlope{-10, 10};
+constexpr Range kOffset{-1000, 1000};
+} // namespace cubevi
+
 /// A display file being read into a profile: what the readers of each family share. Every number
 /// that describes the glass must be there and have its origin under [provenance]; what the picture
 /// is made of (views, quilt, budget) is a choice and needs none.

@@ -22,9 +22,13 @@ class ConfigError : public std::runtime_error {
 /// The embedded default.toml.
 [[nodiscard]] Config defaultConfig();
 
-/// Display profile by file path, or by name from the embedded profiles. Throws ConfigError;
-/// no physical number has a default.
+/// Display profile by file path (a display file, or a Looking Glass' or CubeVi's own calibration,
+/// .json), or by name from the embedded profiles. Throws ConfigError; no physical number has a
+/// default.
 [[nodiscard]] calib::DisplayProfile loadDisplay(const std::string& nameOrFile);
+/// The same from a text; `file` names it in messages, and by its extension says what it is: a
+/// display file, .toml, or a vendor's calibration, .json.
+[[nodiscard]] calib::DisplayProfile displayFromText(const std::string& file, std::string_view text);
 /// Names of the embedded profiles, sorted.
 [[nodiscard]] std::vector<std::string> displayNames();
 
@@ -33,7 +37,7 @@ class ConfigError : public std::runtime_error {
 /// The embedded rigs/example.toml: nominal cameras for inputs without a calibration.
 [[nodiscard]] calib::SensorRig exampleRig();
 
-/// What a TOML file is, by its content: a configuration, a display or a rig.
+/// What a TOML or JSON file is, by its content: a configuration, a display or a rig.
 enum class FileKind { Config, Display, Rig };
 [[nodiscard]] FileKind kindOf(const std::filesystem::path& file);
 

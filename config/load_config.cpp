@@ -2,6 +2,7 @@
 #include "config/text_file.hpp"
 #include "config/toml_reader.hpp"
 #include "config/units.hpp"
+#include "config/vendor_calibration.hpp"
 
 #include <string>
 
@@ -100,7 +101,8 @@ Config loadConfig(const std::filesystem::path& file) {
 }
 
 FileKind kindOf(const std::filesystem::path& file) {
-    if (file.extension() == ".json") return FileKind::Rig;
+    if (file.extension() == ".json")
+        return vendorOf(readTextFile(file)) ? FileKind::Display : FileKind::Rig;
     const TomlReader root(file.string(), readTextFile(file));
     if (root.has("type") || root.has("panel")) return FileKind::Display;
     if (root.has("color_from_depth") || root.has("color")) return FileKind::Rig;

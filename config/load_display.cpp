@@ -3,6 +3,7 @@
 #include "config/phrases.hpp"
 #include "config/text_file.hpp"
 #include "config/units.hpp"
+#include "config/vendor_calibration.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::string_view kShippedFolder = "displays/";
 constexpr std::string_view kExtension = ".toml";
+constexpr std::string_view kCalibrationExtension = ".json";
 
 /// How the types differ in what their files hold.
 struct Type {
@@ -46,7 +48,7 @@ Type readType(TomlReader& root) {
 void readPanel(DisplayReader& display, const Type& type) {
     auto& profile = display.profile;
     auto panel = display.root.table("panel");
-    const Range pixels{type.anyMode ? 0.0 : 16.0, 16384};
+    const Range pixels{type.anyMode ? 0 : kPanelPixels.low, kPanelPixels.high};
     profile.width = panel.integer("width", pixels);
     profile.height = panel.integer("height", pixels);
     if ((profile.width == 0) != (profile.height == 0))
@@ -80,7 +82,7 @@ void readViewing(DisplayReader& display, const Type& type) {
     auto& profile = display.profile;
     auto viewing = display.root.table("viewing");
     profile.viewingDistanceM = display.physical(viewing, "distance_m", {0.05, 100});
-    profile.coneRad = units::radiansFromDeg(display.physical(viewing, "cone_deg", {1, 120}));
+    profile.coneRad = units::radiansFromDeg(display.physical(viewing, "cone_deg", kConeDeg));
     if (!type.multiview) return;
     profile.views = viewing.integer("views", {1, 1000});
     profile.order = viewing.choice<calib::ViewOrder>(
@@ -147,6 +149,17 @@ void readDepthBudget(DisplayReader& display) {
     display.profile.disparityNear = budget.number("near", {0.001, 0.5});
 }
 
+/// Which shipped displays a wrong name may mean: those that contain it or are nearly it, else all.
+std::string suggestions(const std::string& name) {
+    const auto names = displayNames();
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    std::string list(nearestWord(name, words));
+    if (list.empty() && !name.empty())
+        for (const std::string& word : names)
+            if (word.find(name) != std::string::npos) list += (list.empty() ? "" : ", ") + word;
+    return list.empty() ? allowed(words) : "(did you mean " + list + "?)";
+}
+
 /// A unit's file may build on a shipped one: what it gives replaces what that says.
 void inheritBase(DisplayReader& display) {
     if (!display.root.has("base")) return;
@@ -154,10 +167,14 @@ void inheritBase(DisplayReader& display) {
     const std::string file = std::string(kShippedFolder) + base + std::string(kExtension);
     const auto text = embeddedText(file);
     if (text.empty()) {
-        const auto names = displayNames();
-        display.root.reject("base", '"' + base + "\" is no shipped display " +
-                                        allowed({names.begin(), names.end()}));
+        display.root.reject("base", '"' + base + "\" is no shipped display " + suggestions(base));
         display.root.check();
+    }
+    if (display.root.has("type")) {
+        const std::string type = TomlReader(file, text).text("type");
+        if (display.root.text("type") != type)
+            display.root.reject("base", '"' + base + "\" is of type " + type +
+                                            " (allowed displays of the file's own type)");
     }
     display.root.inherit(file, text);
 }
@@ -181,24 +198,34 @@ calib::DisplayProfile readDisplay(const std::string& file, std::string_view text
     return profile;
 }
 
+/// A vendor's calibration is read as the display file that it would be imported as.
+calib::DisplayProfile readCalibration(const std::string& file, std::string_view json) {
+    const Vendor vendor = vendorOf(json).value_or(Vendor::LookingGlass);
+    return readDisplay(file, importDisplay(vendor, file, json).toml);
+}
+
 calib::DisplayProfile shippedDisplay(const std::string& name) {
     const std::string file = std::string(kShippedFolder) + name + std::string(kExtension);
-    if (const auto text = embeddedText(file); !text.empty()) return readDisplay(file, text);
+    if (const auto text = embeddedText(file); !text.empty()) return displayFromText(file, text);
 
-    const auto names = displayNames();
-    const std::vector<std::string_view> words(names.begin(), names.end());
     throw ConfigError(
-        oneLine("display: \"" + name + "\" is no profile and no file *.toml " + allowed(words)));
+        oneLine("display: \"" + name + "\" is no profile and no file *.toml " + suggestions(name)));
 }
 
 } // namespace
 
 calib::DisplayProfile loadDisplay(const std::string& nameOrFile) {
     const std::filesystem::path file(nameOrFile);
-    const bool isFile = file.extension() == kExtension || file.has_parent_path();
-    auto profile =
-        isFile ? readDisplay(nameOrFile, readTextFile(file)) : shippedDisplay(nameOrFile);
-    profile.name = isFile ? file.stem().string() : nameOrFile;
+    const bool isFile = file.extension() == kExtension ||
+                        file.extension() == kCalibrationExtension || file.has_parent_path();
+    return isFile ? displayFromText(nameOrFile, readTextFile(file)) : shippedDisplay(nameOrFile);
+}
+
+calib::DisplayProfile displayFromText(const std::string& file, std::string_view text) {
+    const std::filesystem::path path(file);
+    auto profile = path.extension() == kCalibrationExtension ? readCalibration(file, text)
+                                                             : readDisplay(file, text);
+    profile.name = path.stem().string();
     return profile;
 }
 

@@ -61,7 +61,7 @@ std::string_view nearestWord(std::string_view typed, const std::vector<std::stri
 
 std::string oneLine(std::string message) {
     constexpr std::size_t kLongest = 500;
-    if (message.size() > kLongest) message.resize(kLongest);
+    if (message.size() > kLongest) message.replace(kLongest, std::string::npos, "...");
     std::replace_if(
         message.begin(), message.end(),
         [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');

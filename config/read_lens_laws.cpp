@@ -1,4 +1,5 @@
 #include "config/display_reader.hpp"
+#include "config/looking_glass_json.hpp"
 #include "config/phrases.hpp"
 #include "config/units.hpp"
 
@@ -24,11 +25,9 @@ calib::CellPattern readPattern(TomlReader& lens) {
 }
 
 void requireCells(TomlReader& lens, calib::CellPattern pattern, std::size_t given) {
-    const auto needed = static_cast<std::size_t>(calib::cellCount(pattern));
-    if (given > 0 && given < needed)
-        lens.reject("cells", "has " + std::to_string(given) +
-                                 " rows, too few for its cell_pattern (allowed at least " +
-                                 std::to_string(needed) + ')');
+    if (given == 0) return;
+    if (const auto problem = looking_glass::cellProblem(pattern, given))
+        lens.reject("cells", *problem);
 }
 
 calib::PhaseGrid readGrid(DisplayReader& display) {
@@ -114,13 +113,12 @@ calib::VanBerkelLens readVanBerkel(DisplayReader& display) {
 calib::LookingGlassCalibration readLookingGlass(DisplayReader& display) {
     auto lens = display.root.table("lens");
     calib::LookingGlassCalibration unit;
-    unit.pitch = display.lensNumber(lens, "pitch", {1, 1000});
-    unit.slope = display.lensNumber(lens, "slope", {-1000, 1000});
-    if (std::abs(unit.slope) < 1)
-        lens.reject("slope",
-                    plain(unit.slope) + " is out of range (allowed -1000 to -1 and 1 to 1000)");
-    unit.center = display.lensNumber(lens, "center", kCycles);
-    unit.dpi = display.lensNumber(lens, "dpi", {10, 2000});
+    unit.pitch = display.lensNumber(lens, "pitch", looking_glass::kPitch);
+    unit.slope = display.lensNumber(lens, "slope", looking_glass::kSlope);
+    if (const auto problem = looking_glass::slopeProblem(unit.slope))
+        lens.reject("slope", *problem);
+    unit.center = display.lensNumber(lens, "center", looking_glass::kCenter);
+    unit.dpi = display.lensNumber(lens, "dpi", looking_glass::kDpi);
     unit.screenWidth = display.profile.width;
     unit.screenHeight = display.profile.height;
     unit.flipImageX = lens.boolean("flip_image_x");
@@ -130,23 +128,25 @@ calib::LookingGlassCalibration readLookingGlass(DisplayReader& display) {
     unit.pattern = readPattern(lens);
     if (lens.has("cells")) {
         display.noteLensOrigin("cells");
-        for (const auto& row : lens.numberRows("cells", {1, 16}, {6, 6}, {-2, 2}))
+        for (const auto& row :
+             lens.numberRows("cells", looking_glass::kCells, {6, 6}, looking_glass::kCellOffset))
             unit.cells.push_back({{{row[0], row[1]}, {row[2], row[3]}, {row[4], row[5]}}});
     }
     if (unit.cells.empty() && unit.pattern != calib::CellPattern::Single)
         lens.reject("cell_pattern", "needs cells (allowed single without)");
     requireCells(lens, unit.pattern, unit.cells.size());
     display.profile.widthM = units::metresFromInches(unit.screenWidth / unit.dpi);
-    display.profile.fringe = lens.integer("fringe", {0, 1000}, 0);
+    display.profile.fringe = lens.integer("fringe", looking_glass::kFringe, 0);
     return unit;
 }
 
 calib::CubeviCalibration readCubevi(DisplayReader& display) {
     auto lens = display.root.table("lens");
     calib::CubeviCalibration unit;
-    unit.subpixelsPerLens = display.lensNumber(lens, "subpixels_per_lens", {1, 1000});
-    unit.slope = display.lensNumber(lens, "slope", {-10, 10});
-    unit.offsetSubpixels = display.lensNumber(lens, "offset_subpixels", {-1000, 1000});
+    unit.subpixelsPerLens =
+        display.lensNumber(lens, "subpixels_per_lens", cubevi::kSubpixelsPerLens);
+    unit.slope = display.lensNumber(lens, "slope", cubevi::kSlope);
+    unit.offsetSubpixels = display.lensNumber(lens, "offset_subpixels", cubevi::kOffset);
     return unit;
 }
 

@@ -21,7 +21,7 @@ struct Meaning {
 };
 
 [[noreturn]] void reject(const std::filesystem::path& file, const std::string& why) {
-    throw ConfigError(oneLine(file.string() + ": " + why));
+    throw std::runtime_error(file.string() + ": " + why);
 }
 
 std::uint32_t phaseOf(const std::filesystem::path& file, const Meaning& meaning, double number,
@@ -46,13 +46,20 @@ std::vector<std::uint32_t> converted(const std::filesystem::path& file, const Me
     return phases;
 }
 
+std::string shapeText(const std::vector<std::size_t>& shape) {
+    std::string text;
+    for (const std::size_t extent : shape)
+        text += (text.empty() ? "" : " x ") + std::to_string(extent);
+    return text;
+}
+
 std::vector<std::uint32_t> fromNpy(const std::filesystem::path& file, const Meaning& meaning,
                                    int width, int height) {
     const devices::NpyArray array = devices::readNpy(file, kLargestFile);
     const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
     if (array.header.shape != std::vector<std::size_t>{h, w, 3})
-        reject(file, "has another shape than the panel (allowed " + std::to_string(height) + " x " +
-                         std::to_string(width) + " x 3)");
+        reject(file, "is " + shapeText(array.header.shape) + " (allowed " + shapeText({h, w, 3}) +
+                         ", as the panel)");
     const std::string& type = array.header.type;
     if (meaning.phases && type == "<u4") { // the format of `autostereo viewmap`
         std::vector<std::uint32_t> phases(array.header.elements());
@@ -79,7 +86,9 @@ std::vector<std::uint32_t> fromPicture(const std::filesystem::path& file, const 
     if (meaning.phases) reject(file, "a picture holds no phases (allowed .npy)");
     if (header.width != width || header.height != height ||
         header.format != devices::ImageFormat::Rgba8)
-        reject(file, "is " + header.size().text() + " (allowed an 8-bit picture of " +
+        reject(file, "is " + header.size().text() +
+                         (header.format == devices::ImageFormat::Grey16 ? ", 16-bit" : "") +
+                         " (allowed an 8-bit picture of " +
                          devices::PictureSize{width, height}.text() + ')');
     std::vector<std::byte> pixels(header.bytes());
     reader.decode(pixels);
@@ -102,6 +111,7 @@ calib::ViewLut readLut(DisplayReader& display) {
     const Meaning meaning{lens.choice<bool>("holds", {{"views", false}, {"phases", true}}),
                           profile.remap.empty() ? profile.views
                                                 : static_cast<int>(profile.remap.size())};
+    if (name.empty()) lens.reject("file", "is empty (allowed *.npy, *.png)");
     display.root.check(); // before a file is read on the word of wrong numbers
     const std::filesystem::path file = display.folder / name;
     try {
@@ -110,8 +120,6 @@ calib::ViewLut readLut(DisplayReader& display) {
                           : fromPicture(file, meaning, profile.width, profile.height);
         return {profile.width, profile.height,
                 std::make_shared<const std::vector<std::uint32_t>>(std::move(phases))};
-    } catch (const ConfigError&) {
-        throw;
     } catch (const std::runtime_error& error) {
         lens.reject("file", error.what());
         display.root.check();

@@ -10,7 +10,7 @@ namespace autostereo::daemon {
 namespace {
 
 /// What the file is, in a few words. Throws what its reader throws.
-std::string inspectToml(const std::filesystem::path& file) {
+std::string inspectText(const std::filesystem::path& file) {
     switch (config::kindOf(file)) {
     case config::FileKind::Config:
         static_cast<void>(config::loadConfig(file));
@@ -48,9 +48,8 @@ int check(const CheckOptions& options) {
     for (const std::filesystem::path& file : options.files) {
         try {
             const std::string extension = file.extension().string();
-            const std::string what = extension == ".toml" ? inspectToml(file)
-                                     : extension == ".json"
-                                         ? (static_cast<void>(config::loadRig(file)), "rig")
+            const std::string what = extension == ".toml" || extension == ".json"
+                                         ? inspectText(file)
                                          : inspectRecording(file.string());
             std::cout << file.string() << ": good (" << what << ")\n";
         } catch (const std::exception& error) {

@@ -17,8 +17,8 @@ const std::map<std::string, Picture> kPictures{
     {"sbs", Picture::SideBySide}, {"anaglyph", Picture::Anaglyph}};
 
 // Known words of the command line whose work is not in this version yet.
-constexpr std::array kLaterCommands{"import",   "calibrate", "record", "bench", "status",
-                                    "snapshot", "reload",    "set",    "show"};
+constexpr std::array kLaterCommands{"calibrate", "record", "bench", "status",
+                                    "snapshot",  "reload", "set",   "show"};
 constexpr std::array kLaterPictures{"disparity"};
 constexpr std::array kLaterMethods{"auto", "direct", "geometry", "mrt", "hybrid"};
 

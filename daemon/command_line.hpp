@@ -99,6 +99,7 @@ struct ImportOptions {
     std::string kind; ///< "looking-glass", "cubevi"
     std::filesystem::path file;
     std::optional<std::string> base; ///< shipped display that the file builds on
+    std::optional<calib::ViewOrder> order;
     std::filesystem::path output;
 };
 

@@ -9,6 +9,10 @@ const std::map<std::string, gpu::ViewFilter> kViewFilters{{"nearest", gpu::ViewF
 const std::map<std::string, gpu::TileFilter> kTexelFilters{{"nearest", gpu::TileFilter::Nearest},
                                                            {"linear", gpu::TileFilter::Linear}};
 
+const std::map<std::string, calib::ViewOrder> kOrders{
+    {"left_to_right", calib::ViewOrder::LeftToRight},
+    {"right_to_left", calib::ViewOrder::RightToLeft}};
+
 void addDisplay(CLI::App& command, std::string& display) {
     command.add_option("--display", display, "Display profile: a shipped name or a file")
         ->required();
@@ -119,6 +123,9 @@ void addImport(CLI::App& app, ImportOptions& options) {
     command->add_option("file", options.file, "e.g. LKG_calibration/visual.json")->required();
     command->add_option("--base", options.base,
                         "Shipped display that the file builds on (default: by serial and size)");
+    command->add_option_function<std::string>(
+        "--view-order", oneOf(options.order, kOrders, "--view-order"),
+        "left_to_right or right_to_left, where depth looks inside out");
     command->add_option("--output", options.output, "Display file, .toml")->required();
     command->footer("Example: autostereo import looking-glass visual.json --output mine.toml");
 }

@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t kLargestPicture = 512U << 20U; // bytes of a compressed file
 
+bool startsLikeJpeg(std::span<const std::byte> bytes) {
+    return bytes.size() >= 2 && bytes[0] == std::byte{0xff} && bytes[1] == std::byte{0xd8};
+}
+
 } // namespace
 
 void readFile(const std::filesystem::path& path, std::size_t limit, std::vector<std::byte>& bytes) {
@@ -39,6 +43,8 @@ ImageHeader ImageReader::open(const std::filesystem::path& path) {
     path_ = path;
     readFile(path, kLargestPicture, file_);
     isPng_ = PngDecoder::recognises(file_);
+    if (!isPng_ && !startsLikeJpeg(file_))
+        throw std::runtime_error(path.string() + ": is no PNG and no JPEG");
     try {
         return isPng_ ? png_.open(file_) : jpeg_.open(file_);
     } catch (const std::runtime_error& error) {

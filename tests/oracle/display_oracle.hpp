@@ -101,7 +101,7 @@ inline Real lineScreen(const calib::LineScreen& screen, const calib::DisplayProf
 inline Real trackedLens(const calib::TrackedLens& lens, const glm::dvec3& eye, int x, int y,
                         int c) {
     const Real slant = lens.rowIncrementPx;
-    const Real init = lens.initPx + lens.eyeGainPx * (eye.x - slant * eye.y) /
+    const Real init = lens.initPx + lens.eyeGainPx * (eye.x + slant * eye.y) /
                                         std::sqrt(1 + slant * slant) / (eye.z + lens.zBiasM);
     return (x + c / Real{3} - (y * slant + init)) / lens.periodPx;
 }

@@ -109,7 +109,8 @@ TEST(DevicesCommand, ListsConnectorsAndVolumesBelowARoot) {
 }
 
 TEST(Help, HasAnExampleForEachCommand) {
-    for (const char* command : {"run", "render", "check", "devices", "look"}) {
+    for (const char* command : {"run", "render", "interleave", "viewmap", "look", "pattern",
+                                "import", "check", "devices"}) {
         const ProgramResult result = runProgram(calling({command, "--help"}));
         EXPECT_TRUE(succeeded(result)) << command;
         EXPECT_NE(result.out.find("Example: autostereo " + std::string(command)), std::string::npos)

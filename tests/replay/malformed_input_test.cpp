@@ -173,7 +173,7 @@ TEST_F(MalformedInput, WrongCommandLines) {
     EXPECT_TRUE(fails({"run", "--input", "v4l2:/dev/video0"})) << "known, but not in this version";
     EXPECT_TRUE(fails({"run", "--input", "sim:moon"}));
     EXPECT_TRUE(fails({"run", "--input", "sim:room?fog=1"}));
-    EXPECT_TRUE(fails({"viewmap"})) << "known, but not in this version";
+    EXPECT_TRUE(fails({"viewmap"})) << "--display is missing";
 }
 
 TEST_F(MalformedInput, WrongConfigurationsSayWhere) {
@@ -189,6 +189,31 @@ TEST_F(MalformedInput, WrongConfigurationsSayWhere) {
     EXPECT_TRUE(failedPlainly(refused, 2));
     EXPECT_NE(refused.err.find("display.toml:2:1: "), std::string::npos) << refused.err;
     EXPECT_TRUE(failedPlainly(play(kSmallRoom, {"--config", folder / "none.toml"})));
+}
+
+TEST_F(MalformedInput, WrongDisplaysSayWhere) {
+    const auto said = [this](const std::string& display) {
+        const ProgramResult result =
+            runProgram(calling({"viewmap", "--display", display, "--output", folder / "map.npy"}));
+        EXPECT_TRUE(failedPlainly(result, 2));
+        return result.err;
+    };
+    std::filesystem::create_directory(folder / "folder.toml");
+    const std::string json = folder.file("cut.json", "{\"pitch\": 50");
+    const std::string base = folder.file("base.toml", "base = \"preview\"\ntype = \"lut\"\n");
+    EXPECT_EQ(said(folder / "folder.toml"),
+              "autostereo: " + (folder / "folder.toml") + ": cannot be read: Is a directory\n");
+    EXPECT_EQ(said(folder.file("long.toml", std::string(2 << 20, ' '))),
+              "autostereo: " + (folder / "long.toml") +
+                  ": cannot be read: it is longer than 1 MiB\n");
+    EXPECT_EQ(said(json), "autostereo: " + json +
+                              ":1:13: is no JSON: syntax error while parsing object - unexpected "
+                              "end of input; expected '}'\n");
+    EXPECT_EQ(said(base), "autostereo: " + base +
+                              ":1:8: base: \"preview\" is of type anaglyph (allowed displays of "
+                              "the file's own type)\n");
+    EXPECT_EQ(said("preveiw"), "autostereo: display: \"preveiw\" is no profile and no file *.toml "
+                               "(did you mean preview?)\n");
 }
 
 TEST_F(MalformedInput, OutputsThatCannotBeWritten) {

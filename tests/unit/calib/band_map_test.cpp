@@ -140,7 +140,7 @@ TEST(TrackedLensPhase, IsTheDocumentedFormula) {
                              random.between(0.3, 2)};
         const int x = i, y = 3 * i % 1000, c = i % 3;
         const Real slant = lens.rowIncrementPx;
-        const Real init = lens.initPx + lens.eyeGainPx * (eye.x - slant * eye.y) /
+        const Real init = lens.initPx + lens.eyeGainPx * (eye.x + slant * eye.y) /
                                             (std::sqrt(1 + slant * slant) * (eye.z + lens.zBiasM));
         const Real expected = (x + c / Real{3} - slant * y - init) / lens.periodPx;
         EXPECT_NEAR(static_cast<double>(phaseAt(trackedLensPhase(lens, eye), x, y, c) - expected),

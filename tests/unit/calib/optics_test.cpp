@@ -154,7 +154,8 @@ TEST(Optics, TrackedLensShowsAnEyeItsBand) {
     EXPECT_GT(optics.lenses.gapM, 0);
     const double seenWidth = 1 / (3 * lens.periodPx); // of a sub-pixel
     for (const double x : {-0.2, -0.07, 0.0, 0.03, 0.1}) {
-        const glm::dvec3 eye{x, 0, display.viewingDistanceM};
+        // Lines lean by the row increment: an eye that moves along one sees the same.
+        const glm::dvec3 eye{x, 1.5 * x - 0.05, display.viewingDistanceM};
         const LinearPhase phase = trackedLensPhase(lens, eye);
         double worst = 0;
         forSeen(optics, {}, eye, spreadRows(display.height, 20), [&](const SeenSubpixel& seen) {

@@ -157,7 +157,10 @@ TEST_F(LoadConfig, kindOfGoesByContent) {
     EXPECT_EQ(kindOf(source / "rigs/example.toml"), FileKind::Rig);
     for (const std::string& name : displayNames())
         EXPECT_EQ(kindOf(displays / (name + ".toml")), FileKind::Display) << name;
+    write("camera.json", "{\"depth\": {}}");
     EXPECT_EQ(kindOf("camera.json"), FileKind::Rig);
+    write("visual.json", "{\"pitch\": 5}");
+    EXPECT_EQ(kindOf("visual.json"), FileKind::Display);
     write("empty.toml", "");
     EXPECT_EQ(kindOf("empty.toml"), FileKind::Config);
     write("broken.toml", "type =");

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -30,8 +31,13 @@ int viewOf(const calib::DisplayProfile& display, int x, int y, int c) {
 class LoadDisplay : public test::TempFolder {};
 
 TEST_F(LoadDisplay, shippedNames) {
-    EXPECT_EQ(displayNames(), (std::vector<std::string>{"barrier-5view", "looking-glass-portrait",
-                                                        "preview", "slanted-8view-1080p"}));
+    const auto names = displayNames();
+    EXPECT_EQ(names.size(), 41U);
+    EXPECT_TRUE(std::ranges::is_sorted(names));
+    for (const char* name : {"barrier-5view", "cubevi-c1", "generic-side-by-side",
+                             "looking-glass-8.9-gen1", "looking-glass-portrait", "preview",
+                             "slanted-8view-1080p", "varrier-scylla-tile", "wowvx-42"})
+        EXPECT_TRUE(std::ranges::binary_search(names, name)) << name;
 }
 
 TEST_F(LoadDisplay, shippedProfilesAreWhole) {
@@ -128,9 +134,18 @@ provenance = { width_mm = "measured", distance_m = "assumed", cone_deg = "assume
 }
 
 TEST_F(LoadDisplay, unknownNameListsTheShippedOnes) {
-    EXPECT_EQ(test::messageOf<ConfigError>([] { (void)loadDisplay("portrait"); }),
-              "display: \"portrait\" is no profile and no file *.toml (allowed barrier-5view, "
-              "looking-glass-portrait, preview, slanted-8view-1080p)");
+    const auto message = [](const char* name) {
+        return test::messageOf<ConfigError>([&] { (void)loadDisplay(name); });
+    };
+    EXPECT_EQ(message("portrait"),
+              "display: \"portrait\" is no profile and no file *.toml (did you mean "
+              "looking-glass-16-portrait-gen3, looking-glass-27-portrait-gen3, "
+              "looking-glass-32-portrait-gen3, looking-glass-portrait, "
+              "looking-glass-portrait-template?)");
+    EXPECT_EQ(message("preveiw"),
+              "display: \"preveiw\" is no profile and no file *.toml (did you mean preview?)");
+    EXPECT_TRUE(message("xyz").starts_with("display: \"xyz\" is no profile and no file *.toml "
+                                           "(allowed barrier-5view, barrier-8view, "));
     EXPECT_EQ(test::messageOf<ConfigError>([] { (void)loadDisplay("portrait.toml"); }),
               "portrait.toml: cannot be read: No such file or directory");
 }

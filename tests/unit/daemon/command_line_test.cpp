@@ -123,13 +123,13 @@ TEST(CommandLine, CheckAndDevices) {
 
 TEST(CommandLine, LaterCommandsAndOptionsSaySo) {
     for (const char* command :
-         {"import", "calibrate", "record", "bench", "status", "snapshot", "reload", "set", "show"})
+         {"calibrate", "record", "bench", "status", "snapshot", "reload", "set", "show"})
         EXPECT_EQ(usageError({command, "--whatever", "x"}),
                   std::string(command) + ": not in this version");
     EXPECT_EQ(usageError({"run", "--record", "a.mkv"}), "--record: not in this version");
     EXPECT_EQ(usageError({"run", "--record-raw", "a"}), "--record-raw: not in this version");
     EXPECT_EQ(renderError({"--reference"}), "--reference: not in this version");
-    for (const char* picture : {"2d-plus-depth", "sbs", "anaglyph", "disparity"})
+    for (const char* picture : {"disparity"})
         EXPECT_EQ(usageError({"render", "--as", picture, "--output", "o"}),
                   std::string("--as ") + picture + ": not in this version");
     for (const char* method : {"auto", "direct", "geometry", "mrt", "hybrid"})
@@ -200,7 +200,8 @@ TEST(CommandLine, NoCommandSaysWhichThereAre) {
 }
 
 TEST(CommandLine, HelpShowsAnExampleForEachCommand) {
-    for (const std::string command : {"run", "render", "check", "devices"}) {
+    for (const std::string command : {"run", "render", "interleave", "viewmap", "pattern", "import",
+                                      "check", "devices"}) {
         const std::string help = std::get<Information>(parse({command, "--help"})).text;
         EXPECT_NE(help.find("Example: autostereo " + command + " "), std::string::npos) << help;
         EXPECT_EQ(help.find("--record"), std::string::npos) << "shows what is not there yet";

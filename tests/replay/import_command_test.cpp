@@ -1,0 +1,96 @@
+#include "tests/replay/program.hpp"
+#include "tests/support/data.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace autostereo::test {
+namespace {
+
+constexpr const char* kUnit = R"({"serial": "LKG-PORT-1", "pitch": {"value": 52.5},
+"slope": {"value": -7.1}, "center": {"value": 0.4}, "viewCone": {"value": 40}, "DPI": 324,
+"screenW": 1536, "screenH": 2048, "flipImageX": {"value": 0}})";
+
+ProgramResult call(std::vector<std::string> arguments) {
+    return runProgram(calling(std::move(arguments)));
+}
+
+TEST(ImportCommand, WritesAFileThatChecks) {
+    const TempFolder folder;
+    const std::string json = folder.file("visual.json", kUnit), toml = folder / "mine.toml";
+    const ProgramResult result = call({"import", "looking-glass", json, "--output", toml});
+    ASSERT_TRUE(succeeded(result));
+    EXPECT_EQ(result.out, toml + ": Looking Glass Portrait 7.9 inch, unit LKG-PORT-1 (built on "
+                                 "looking-glass-portrait-template)\n");
+    EXPECT_EQ(result.err, "");
+    const ProgramResult checked = call({"check", json, toml});
+    EXPECT_TRUE(succeeded(checked));
+    EXPECT_EQ(std::ranges::count(checked.out, '\n'), 2) << checked.out;
+    EXPECT_TRUE(succeeded(
+        call({"import", "cubevi", folder.file("c.json", R"({"lineNumber": 19.6, "obliquity": 0.1,
+"deviation": 8.9})"),
+              "--view-order", "left_to_right", "--output", toml})));
+}
+
+/// The JSON itself as --display gives the picture that the imported file gives.
+TEST(ImportCommand, TheJsonIsADisplayToo) {
+    const TempFolder folder;
+    const std::string json = folder.file("visual.json", kUnit), toml = folder / "mine.toml";
+    ASSERT_TRUE(succeeded(call({"import", "looking-glass", json, "--output", toml})));
+    for (const auto& [display, map] : {std::pair{json, "json.npy"}, {toml, "toml.npy"}})
+        ASSERT_TRUE(succeeded(call({"viewmap", "--display", display, "--output", folder / map})));
+    EXPECT_TRUE(succeeded(runProgram(
+        {.program = "/usr/bin/cmp", .arguments = {folder / "json.npy", folder / "toml.npy"}})));
+}
+
+TEST(ImportCommand, RefusesInOneLine) {
+    const TempFolder folder;
+    const std::string good = folder.file("visual.json", kUnit), toml = folder / "mine.toml";
+    const auto refused = [&](std::vector<std::string> arguments, const std::string& message) {
+        arguments.insert(arguments.begin(), "import");
+        const ProgramResult result = call(arguments);
+        EXPECT_TRUE(failedPlainly(result, 2));
+        EXPECT_EQ(result.err, "autostereo: " + message + '\n');
+        EXPECT_FALSE(std::filesystem::exists(toml));
+    };
+    refused({"k4a", good, "--output", toml}, "import: k4a: not in this version");
+    refused({"ros", good, "--output", toml}, "import: ros: not in this version");
+    refused({"tv", good, "--output", toml},
+            "import: tv is not known (allowed cubevi, looking-glass)");
+    refused({"looking-glass", good, "--output", folder / "mine.json"},
+            "--output: " + (folder / "mine.json") + " is no display file (allowed *.toml)");
+    refused({"looking-glass", good, "--output", toml, "--view-order", "up"},
+            "--view-order: up is not known (allowed left_to_right, right_to_left)");
+    refused({"looking-glass", folder / "none.json", "--output", toml},
+            (folder / "none.json") + ": cannot be read: No such file or directory");
+    refused({"looking-glass", folder / "", "--output", toml},
+            (folder / "") + ": cannot be read: Is a directory");
+    const std::string zeros = folder.file("zeros.json", R"({"serial": "LKG-E0", "pitch": 0,
+"slope": 0, "DPI": 0, "screenW": 0, "screenH": 0})");
+    const std::string problem = ": pitch: 0, and so is every number: the display served no "
+                                "calibration (unplug its USB cable and plug it in again)";
+    refused({"looking-glass", zeros, "--output", toml}, zeros + problem);
+    const ProgramResult asDisplay = call({"render", "--input", kSmallRoom, "--display", zeros,
+                                          "--as", "panel", "--output", folder / "p.png"});
+    EXPECT_TRUE(failedPlainly(asDisplay, 2));
+    EXPECT_EQ(asDisplay.err, "autostereo: " + zeros + problem + '\n');
+    EXPECT_EQ(call({"check", zeros}).err, zeros + problem + '\n');
+    refused({"looking-glass", good, "--base", "preview", "--output", toml},
+            toml + ":3:8: base: \"preview\" is of type anaglyph (allowed displays of the file's "
+                   "own type)");
+}
+
+TEST(ImportCommand, OutputThatCannotBeWritten) {
+    const TempFolder folder;
+    const std::string toml = folder / "none/mine.toml";
+    const ProgramResult result =
+        call({"import", "looking-glass", folder.file("visual.json", kUnit), "--output", toml});
+    EXPECT_TRUE(failedPlainly(result, 1));
+    EXPECT_EQ(result.err,
+              "autostereo: import: cannot write " + toml + ": No such file or directory\n");
+}
+
+} // namespace
+} // namespace autostereo::test
