@@ -143,7 +143,8 @@ TEST(CommandLine, UnknownWordsAreNamedWithWhatIsAllowed) {
     EXPECT_EQ(usageError({"run", "--speed", "fast"}),
               "--speed: fast is not known (allowed max, realtime)");
     EXPECT_EQ(usageError({"render", "--as", "photo", "--output", "o"}),
-              "--as: photo is not known (allowed depth, panel, quilt, view, views)");
+              "--as: photo is not known (allowed 2d-plus-depth, anaglyph, depth, panel, "
+              "quilt, sbs, view, views)");
     EXPECT_EQ(renderError({"--method", "magic"}),
               "--method: magic is not known (allowed instanced, multipass)");
 }
@@ -200,8 +201,8 @@ TEST(CommandLine, NoCommandSaysWhichThereAre) {
 }
 
 TEST(CommandLine, HelpShowsAnExampleForEachCommand) {
-    for (const std::string command : {"run", "render", "interleave", "viewmap", "pattern", "import",
-                                      "check", "devices"}) {
+    for (const std::string command :
+         {"run", "render", "interleave", "viewmap", "pattern", "import", "check", "devices"}) {
         const std::string help = std::get<Information>(parse({command, "--help"})).text;
         EXPECT_NE(help.find("Example: autostereo " + command + " "), std::string::npos) << help;
         EXPECT_EQ(help.find("--record"), std::string::npos) << "shows what is not there yet";
