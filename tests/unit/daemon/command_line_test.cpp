@@ -200,8 +200,8 @@ TEST(CommandLine, NoCommandSaysWhichThereAre) {
 }
 
 TEST(CommandLine, HelpShowsAnExampleForEachCommand) {
-    for (const std::string command : {"run", "render", "interleave", "viewmap", "pattern", "import",
-                                      "check", "devices"}) {
+    for (const std::string command :
+         {"run", "render", "interleave", "viewmap", "pattern", "import", "check", "devices"}) {
         const std::string help = std::get<Information>(parse({command, "--help"})).text;
         EXPECT_NE(help.find("Example: autostereo " + command + " "), std::string::npos) << help;
         EXPECT_EQ(help.find("--record"), std::string::npos) << "shows what is not there yet";
