@@ -38,6 +38,7 @@ constexpr std::array kTypes{
 
 Type readType(TomlReader& root) {
     std::vector<std::string_view> words;
+    words.reserve(kTypes.size());
     for (const Type& type : kTypes)
         words.push_back(type.name);
     const auto index = root.wordIndex("type", words);

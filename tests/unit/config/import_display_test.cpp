@@ -108,18 +108,21 @@ TEST_F(ImportDisplay, noCellsOfTheBaseAreTakenOver) {
 TEST_F(ImportDisplay, allModesOfCells) {
     const std::string cell = R"({"ROffsetX":0.1,"ROffsetY":0.2,"GOffsetX":-0.3,"GOffsetY":0,)"
                              R"("BOffsetX":0,"BOffsetY":-0.25})";
+    std::string four = cell;
+    for (int more = 0; more < 3; ++more)
+        four.append(",").append(cell);
     using enum calib::CellPattern;
     const calib::CellPattern patterns[] = {Single, Checkerboard, Columns, Staircase, Rows};
     for (int mode = 0; mode < 5; ++mode)
         for (const char* key : {"CellPatternMode", "cellPatternMode"}) {
-            const std::string cells =
-                ", \"" + std::string(key) + "\": {\"value\": " + std::to_string(mode) +
-                ".0}, \"subpixelCells\": [" + cell + ',' + cell + ',' + cell + ',' + cell + "]}";
-            const auto display = displayFromText("x.json", test::edited(kPlain, "}", cells));
+            std::string end = ", \"";
+            end.append(key).append("\": {\"value\": ").append(std::to_string(mode));
+            end.append(".0}, \"subpixelCells\": [").append(four).append("]}");
+            const auto display = displayFromText("x.json", test::edited(kPlain, "}", end));
             const auto& lens = std::get<calib::LookingGlassCalibration>(display.law);
             EXPECT_EQ(lens.pattern, patterns[mode]);
-            EXPECT_EQ(lens.cells,
-                      (std::vector(4, calib::SubpixelCell{{{0.1, 0.2}, {-0.3, 0}, {0, -0.25}}})));
+            const calib::SubpixelCell expected{{{0.1, 0.2}, {-0.3, 0}, {0, -0.25}}};
+            EXPECT_EQ(lens.cells, std::vector(4, expected));
         }
 }
 

@@ -1,0 +1,92 @@
+#include "devices/replay/image_files.hpp"
+#include "devices/replay/npy_file.hpp"
+#include "tests/support/edid_bytes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <span>
+#include <string>
+
+// Good inputs for each fuzzer to start from: shipped files, real calibrations, small arrays and
+// pictures. usage: fuzz_seeds OUTPUT SOURCES DATA
+
+namespace {
+
+using namespace autostereo; // NOLINT(google-build-using-namespace): a program's own
+namespace fs = std::filesystem;
+
+fs::path folder(const fs::path& output, const char* fuzzer) {
+    fs::create_directories(output / fuzzer);
+    return output / fuzzer;
+}
+
+void write(const fs::path& file, std::span<const std::byte> bytes) {
+    std::ofstream(file, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+}
+
+/// A text as a first-generation display would hand it out, page by page.
+std::vector<std::byte> repliesWith(std::span<const std::byte> text) {
+    constexpr std::size_t kPage = 64;
+    std::vector<std::byte> memory{std::byte{0}, std::byte{0},
+                                  static_cast<std::byte>(text.size() >> 8U),
+                                  static_cast<std::byte>(text.size())};
+    memory.insert(memory.end(), text.begin(), text.end());
+    memory.resize((memory.size() + kPage - 1) / kPage * kPage);
+    std::vector<std::byte> replies;
+    for (std::size_t page = 0; page * kPage < memory.size(); ++page) {
+        for (const std::size_t byte : {std::size_t{0}, std::size_t{0}, page >> 8U, page})
+            replies.push_back(static_cast<std::byte>(byte));
+        const auto from = memory.begin() + static_cast<std::ptrdiff_t>(page * kPage);
+        replies.insert(replies.end(), from, from + kPage);
+    }
+    return replies;
+}
+
+void copyTexts(const fs::path& output, const fs::path& sources, const fs::path& data) {
+    for (const auto& entry : fs::directory_iterator(sources / "config/displays"))
+        fs::copy_file(entry, folder(output, "toml") / entry.path().filename());
+    if (!fs::exists(data / "lkg-calibrations")) return;
+    for (const auto& entry : fs::directory_iterator(data / "lkg-calibrations")) {
+        if (entry.path().extension() != ".json") continue;
+        fs::copy_file(entry, folder(output, "looking_glass_json") / entry.path().filename());
+        write(folder(output, "hid") / entry.path().filename(),
+              repliesWith(devices::readFile(entry, 1U << 16U)));
+    }
+}
+
+void writeBinaries(const fs::path& output) {
+    write(folder(output, "edid") / "dell", test::bytesOfHex(test::kDell));
+    write(folder(output, "edid") / "lg", test::bytesOfHex(test::kLg));
+    constexpr std::array<std::byte, 2 * 3 * 8> kElements{};
+    for (const auto& [type, size] : {std::pair{"|u1", 1U}, {"<u2", 2U}, {"<f8", 8U}})
+        devices::writeNpy(folder(output, "npy") / (std::string(type + 1) + ".npy"),
+                          {type, {2, 1, 3}}, std::span(kElements).first(6 * size));
+    using devices::ImageFormat;
+    for (const auto format :
+         {ImageFormat::Grey8, ImageFormat::Rgb8, ImageFormat::Rgba8, ImageFormat::Grey16}) {
+        const devices::ImageHeader header{format, 3, 4};
+        std::vector<std::byte> pixels(header.bytes());
+        std::ranges::generate(pixels, [value = 0U]() mutable { return std::byte(value += 37); });
+        devices::writePng(folder(output, "png") / std::to_string(static_cast<int>(format)),
+                          {header, pixels});
+    }
+    for (const char* fuzzer : {"looking_glass_json", "hid"})
+        static_cast<void>(folder(output, fuzzer));
+}
+
+} // namespace
+
+int main(int argc, char** argv) try {
+    if (argc != 4) throw std::runtime_error("usage: fuzz_seeds OUTPUT SOURCES DATA");
+    copyTexts(argv[1], argv[2], argv[3]);
+    writeBinaries(argv[1]);
+    return 0;
+} catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+}
