@@ -37,8 +37,10 @@ class Session {
     Session(const RunOptions& options, const config::Config& config)
         : output_(options.output.value_or(chooseOutput(config))),
           realtime_(options.speed.value_or(config::Speed::Realtime) == config::Speed::Realtime),
-          display_(chooseDisplay(config)), input_(openScene(config)), rig_(*input_.rig),
-          panel_(openPanel(display_, output_, options.force)),
+          chosen_(output_ == config::Output::Window ? chooseWindowDisplay(config, options.force)
+                                                    : ChosenDisplay{chooseDisplay(config), ""}),
+          display_(chosen_.profile), input_(openScene(config)), rig_(*input_.rig),
+          panel_(openPanel(display_, output_, options.force, chosen_.connector)),
           pipeline_(config.pipeline, rig_, display_, panel_->width(), panel_->height()) {
         report_.input = config.input;
         report_.display = display_.name;
@@ -114,7 +116,8 @@ class Session {
 
     config::Output output_;
     bool realtime_;
-    calib::DisplayProfile display_;
+    ChosenDisplay chosen_;
+    const calib::DisplayProfile& display_;
     devices::Input input_;
     calib::SensorRig rig_;
     std::unique_ptr<gpu::Panel> panel_;

@@ -1,10 +1,12 @@
 #include "daemon/wiring.hpp"
 
+#include "daemon/find_display.hpp"
 #include "devices/display/link_state.hpp"
 #include "devices/live_feed.hpp"
 #include "devices/paced_source.hpp"
 #include "devices/replay_feed.hpp"
 #include "devices/single_stream.hpp"
+#include "gpu/gl/error.hpp"
 #include "gpu/offscreen_panel.hpp"
 #include "gpu/window_panel.hpp"
 
@@ -62,6 +64,30 @@ calib::DisplayProfile chooseDisplay(const config::Config& config) {
         config::loadDisplay(config.display.empty() ? "preview" : config.display);
     warnOfPlaceholder(display);
     return display;
+}
+
+ChosenDisplay chooseWindowDisplay(const config::Config& config, bool force) {
+    const DisplayPlaces places = DisplayPlaces::ofSystem();
+    ChosenDisplay chosen;
+    if (config.display.empty()) {
+        FoundDisplay found = findDisplay(places);
+        for (const std::string& warning : found.warnings)
+            spdlog::warn("display: {}", warning);
+        if (found.profile) {
+            warnOfPlaceholder(*found.profile);
+            chosen = {std::move(*found.profile), found.connector};
+        }
+    }
+    if (chosen.profile.name.empty()) chosen.profile = chooseDisplay(config);
+    const bool anyMode = chosen.profile.width == 0; // no optics whose views could mix
+    if (anyMode) return chosen;
+    for (const auto& problem : linkProblemsOf(places, chosen.profile, chosen.connector)) {
+        if (problem.severity == devices::LinkProblem::Severity::Refuse && !force)
+            throw gpu::DisplayNotFound("display: " + chosen.profile.name + " cannot be shown: " +
+                                       problem.text + " (--force shows it all the same)");
+        spdlog::warn("display: {}", problem.text);
+    }
+    return chosen;
 }
 
 void warnOfPlaceholder(const calib::DisplayProfile& display) {

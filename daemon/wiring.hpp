@@ -15,6 +15,15 @@ namespace autostereo::daemon {
 
 /// The profile that the options or the configuration name, else "preview".
 [[nodiscard]] calib::DisplayProfile chooseDisplay(const config::Config& config);
+/// A display and the connector of its monitor (the kernel's name; empty: any of its size).
+struct ChosenDisplay {
+    calib::DisplayProfile profile;
+    std::string connector;
+};
+/// For a window: the display that was asked for, else the one that is recognised, else "preview".
+/// What spoils the way to its sub-pixels goes to the log; throws gpu::DisplayNotFound where that
+/// mixes views, unless forced.
+[[nodiscard]] ChosenDisplay chooseWindowDisplay(const config::Config& config, bool force);
 /// To the log, where the profile's numbers are not this unit's own.
 void warnOfPlaceholder(const calib::DisplayProfile& display);
 

@@ -5,12 +5,12 @@
 #include "config/load.hpp"
 #include "tests/gl/numbered_views.hpp"
 #include "tests/oracle/display_oracle.hpp"
+#include "tests/support/data.hpp"
 #include "tests/support/gl_fixture.hpp"
 
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 namespace autostereo::test {
 namespace {
@@ -106,8 +106,7 @@ class DisplaysWithBands : public ShippedDisplays {};
 TEST_P(DisplaysWithPhase, SubpixelsShowTheFormulasView) {
     const calib::DisplayProfile display = profile();
     const auto map = calib::makeViewMap(display, display.width, display.height);
-    const bool whole =
-        std::getenv("AUTOSTEREO_FULL") != nullptr || display.width * display.height < 4'000'000;
+    const bool whole = fullCampaign() || display.width * display.height < 4'000'000;
     expectAgreement(display, map, whole ? 1 : 3);
     expectShown(display, map, gpu::TileFilter::Linear);
 }
