@@ -41,8 +41,10 @@ TEST(ImportCommand, TheJsonIsADisplayToo) {
     ASSERT_TRUE(succeeded(call({"import", "looking-glass", json, "--output", toml})));
     for (const auto& [display, map] : {std::pair{json, "json.npy"}, {toml, "toml.npy"}})
         ASSERT_TRUE(succeeded(call({"viewmap", "--display", display, "--output", folder / map})));
-    EXPECT_TRUE(succeeded(runProgram(
-        {.program = "/usr/bin/cmp", .arguments = {folder / "json.npy", folder / "toml.npy"}})));
+    ProgramCall comparison;
+    comparison.program = "/usr/bin/cmp";
+    comparison.arguments = {folder / "json.npy", folder / "toml.npy"};
+    EXPECT_TRUE(succeeded(runProgram(comparison)));
 }
 
 TEST(ImportCommand, RefusesInOneLine) {

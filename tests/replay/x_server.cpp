@@ -23,13 +23,12 @@ constexpr const char* kSettings = "/usr/bin/xset";
 ProgramCall serverCall(int width, int height) {
     ProgramCall call;
     call.program = kServer;
-    call.arguments = {"-displayfd",
-                      "1",
-                      "-screen",
-                      "0",
-                      std::to_string(width) + "x" + std::to_string(height) + "x24",
-                      "-nolisten",
-                      "tcp"};
+    // Without -noreset it starts afresh when its last client leaves, and refuses the next
+    // meanwhile.
+    call.arguments = {"-noreset",  "-displayfd",
+                      "1",         "-screen",
+                      "0",         std::to_string(width) + "x" + std::to_string(height) + "x24",
+                      "-nolisten", "tcp"};
     return call;
 }
 
