@@ -51,6 +51,7 @@ namespace {
 std::vector<glm::dvec3> nominalEyes(const DisplayProfile& display) {
     const double reach = display.viewingDistanceM * std::tan(display.coneRad / 2);
     std::vector<glm::dvec3> eyes;
+    eyes.reserve(static_cast<std::size_t>(display.views));
     for (int view = 0; view < display.views; ++view)
         eyes.emplace_back(viewPosition(display, view) * reach, 0, display.viewingDistanceM);
     return eyes;
@@ -61,27 +62,36 @@ std::uint32_t bandWidth(double cycles) {
     return static_cast<std::uint32_t>(std::llround(std::ldexp(cycles, 32)));
 }
 
+template<class LawOfEye>
+BandMap bandsOf(const std::vector<glm::dvec3>& eyes, int width, int height, LawOfEye lawOf) {
+    BandMap map;
+    map.eyes.reserve(eyes.size());
+    for (const glm::dvec3& eye : eyes)
+        map.eyes.push_back(phaseTables(lawOf(eye), width, height));
+    return map;
+}
+
 } // namespace
 
 BandMap bandMap(const DisplayProfile& display, int width, int height,
-                std::vector<glm::dvec3> eyes) {
-    BandMap map;
-    const auto* screen = std::get_if<LineScreen>(&display.law);
-    const auto* lens = std::get_if<TrackedLens>(&display.law);
-    const auto& own = screen != nullptr ? screen->eyes : lens->eyes;
-    if (eyes.empty()) eyes = own.empty() ? nominalEyes(display) : own;
-    for (const glm::dvec3& eye : eyes)
-        map.eyes.push_back(phaseTables(screen != nullptr
-                                           ? lineScreenPhase(*screen, display, width, height, eye)
-                                           : trackedLensPhase(*lens, eye),
-                                       width, height));
-    if (screen != nullptr) {
-        map.start = turns(screen->dutyCycle + screen->guard / 2);
-        map.width = bandWidth(1 - screen->dutyCycle - screen->guard);
-        if (!screen->waveform.empty()) map.waveform = screen->waveform.front();
-    } else {
+                const std::vector<glm::dvec3>& eyes) {
+    const auto orElse = [&](const std::vector<glm::dvec3>& own) {
+        if (!eyes.empty()) return eyes;
+        return own.empty() ? nominalEyes(display) : own;
+    };
+    if (const auto* lens = std::get_if<TrackedLens>(&display.law)) {
+        BandMap map = bandsOf(orElse(lens->eyes), width, height,
+                              [&](const glm::dvec3& eye) { return trackedLensPhase(*lens, eye); });
         map.width = bandWidth(lens->fill);
+        return map;
     }
+    const auto& screen = std::get<LineScreen>(display.law);
+    BandMap map = bandsOf(orElse(screen.eyes), width, height, [&](const glm::dvec3& eye) {
+        return lineScreenPhase(screen, display, width, height, eye);
+    });
+    map.start = turns(screen.dutyCycle + screen.guard / 2);
+    map.width = bandWidth(1 - screen.dutyCycle - screen.guard);
+    if (!screen.waveform.empty()) map.waveform = screen.waveform.front();
     return map;
 }
 

@@ -30,6 +30,6 @@ struct BandMap {
 
 /// Eyes as given; none: the file's own, else the display's views in their nominal places.
 [[nodiscard]] BandMap bandMap(const DisplayProfile& display, int width, int height,
-                              std::vector<glm::dvec3> eyes);
+                              const std::vector<glm::dvec3>& eyes);
 
 } // namespace autostereo::calib

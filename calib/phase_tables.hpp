@@ -28,9 +28,9 @@ struct AffinePhase {
     std::array<std::array<std::uint32_t, 3>, kCells> channels{};
 
     [[nodiscard]] std::uint32_t at(int x, int y, int c) const {
-        const auto cell = static_cast<std::size_t>(2 * (y & 3) + (x & 1));
-        const std::uint64_t sum = perColumn * static_cast<std::uint64_t>(x) +
-                                  perRow * static_cast<std::uint64_t>(y) + 0x8000;
+        const auto column = static_cast<std::uint64_t>(x), row = static_cast<std::uint64_t>(y);
+        const std::size_t cell = 2 * (row & 3) + (column & 1);
+        const std::uint64_t sum = perColumn * column + perRow * row + 0x8000;
         return static_cast<std::uint32_t>(sum >> 16) + channels[cell][static_cast<std::size_t>(c)];
     }
 };
