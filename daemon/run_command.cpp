@@ -59,8 +59,7 @@ class Session {
         if (options.frames) framesWanted_ = *options.frames;
     }
 
-    void loop() {
-        const StopSignal stop;
+    void loop(const StopSignal& stop) {
         Watchdog watchdog;
         started_ = clock_.now();
         auto logAt = started_ + kLogInterval;
@@ -135,15 +134,18 @@ class Session {
 int run(const RunOptions& options) {
     const config::Config config = configuration(options.scene);
     setUpLog(config.log.level);
+    const StopSignal stop; // before the window opens: closing it gives the screen saver back
     Session session(options, config);
-    session.loop();
+    session.loop(stop);
 
     const Report& report = session.accounts();
     spdlog::info("{}", report.summary());
     std::optional<std::filesystem::path> picture = options.snapshot;
     if (!picture && report.presented > 0 && session.offscreen() && !options.frames)
         picture = kOffscreenPicture;
-    if (picture) {
+    if (picture && report.presented == 0) {
+        spdlog::warn("panel: stopped before the first frame, so there is no picture to write");
+    } else if (picture) {
         session.writePicture(*picture);
         spdlog::info("panel: {}", std::filesystem::absolute(*picture).string());
     }
