@@ -27,17 +27,6 @@ Json monitorsJson() {
     return list;
 }
 
-/// Everything that card and monitor tell about the way to this monitor.
-devices::LinkState linkOf(const devices::Connector& connector, const devices::DrmReading& drm) {
-    const auto pipe = std::ranges::find_if(drm.pipes, [&](const devices::DrmPipe& one) {
-        return one.card == connector.card && one.connector == connector.name;
-    });
-    devices::LinkState link;
-    if (pipe != drm.pipes.end()) link = devices::linkStateOf(*pipe);
-    if (connector.edid) devices::addMonitor(*connector.edid, link);
-    return link;
-}
-
 Json problemsJson(const devices::LinkState& link) {
     Json list = Json::array();
     for (const devices::LinkProblem& problem : devices::linkProblems(link)) {
@@ -66,7 +55,7 @@ Json connectorJson(const devices::Connector& connector, const devices::DrmReadin
     json["modes"] = Json::array();
     for (const auto& mode : connector.modes)
         json["modes"].push_back(std::to_string(mode.width) + "x" + std::to_string(mode.height));
-    json["link"] = problemsJson(linkOf(connector, drm));
+    json["link"] = problemsJson(devices::linkOf(connector, drm.pipes));
     return json;
 }
 

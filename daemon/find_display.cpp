@@ -129,12 +129,7 @@ std::vector<devices::LinkProblem> linkProblemsOf(const DisplayPlaces& places,
     }
     if (monitor == nullptr) return {};
     const auto drm = devices::readDrm(places.root / "dev/dri");
-    devices::LinkState link;
-    for (const devices::DrmPipe& pipe : drm.pipes)
-        if (pipe.card == monitor->card && pipe.connector == monitor->name)
-            link = devices::linkStateOf(pipe);
-    if (monitor->edid) devices::addMonitor(*monitor->edid, link);
-    return devices::linkProblems(link);
+    return devices::linkProblems(devices::linkOf(*monitor, drm.pipes));
 }
 
 } // namespace autostereo::daemon

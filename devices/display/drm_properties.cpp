@@ -186,4 +186,12 @@ LinkState linkStateOf(const DrmPipe& pipe) {
     return link;
 }
 
+LinkState linkOf(const Connector& monitor, std::span<const DrmPipe> pipes) {
+    LinkState link;
+    for (const DrmPipe& pipe : pipes)
+        if (pipe.card == monitor.card && pipe.connector == monitor.name) link = linkStateOf(pipe);
+    if (monitor.edid) addMonitor(*monitor.edid, link);
+    return link;
+}
+
 } // namespace autostereo::devices

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "devices/display/connectors.hpp"
 #include "devices/display/link_state.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,5 +31,8 @@ struct DrmPipe {
 /// What the properties mean; an unknown name or word leaves its field empty. Blobs may hold any
 /// bytes: those of a wrong size are taken as unknown. Pure.
 [[nodiscard]] LinkState linkStateOf(const DrmPipe& pipe);
+
+/// What cards and the monitor itself tell about the way to a monitor. Pure.
+[[nodiscard]] LinkState linkOf(const Connector& monitor, std::span<const DrmPipe> pipes);
 
 } // namespace autostereo::devices
