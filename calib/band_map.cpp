@@ -80,7 +80,7 @@ BandMap bandMap(const DisplayProfile& display, int width, int height,
         return own.empty() ? nominalEyes(display) : own;
     };
     if (const auto* lens = std::get_if<TrackedLens>(&display.law)) {
-        BandMap map = bandsOf(orElse(lens->eyes), width, height,
+        BandMap map = bandsOf(orElse({}), width, height,
                               [&](const glm::dvec3& eye) { return trackedLensPhase(*lens, eye); });
         map.width = bandWidth(lens->fill);
         return map;

@@ -144,7 +144,6 @@ struct TrackedLens {
     double eyeGainPx = 0;
     double zBiasM = 0;
     PhaseGrid grid;
-    std::vector<glm::dvec3> eyes;
 };
 
 /// The panel shows whole views side by side: half frames for other displays, quilts for players.
