@@ -1,6 +1,9 @@
 #include "gpu/band_interleaver.hpp"
 
+#include "gpu/gl/error.hpp"
+
 #include <algorithm>
+#include <string>
 
 namespace autostereo::gpu {
 
@@ -13,6 +16,13 @@ std::vector<std::string> variant(const calib::BandMap& map, const InterleaverPar
     if (params.fringe > 0) defines.emplace_back("FRINGE");
     if (params.filter == TileFilter::Nearest) defines.emplace_back("NEAREST");
     return defines;
+}
+
+const calib::BandMap& allowed(const calib::BandMap& map, std::size_t most) {
+    if (map.eyes.size() > most)
+        throw GlError("gl: " + std::to_string(map.eyes.size()) +
+                      " eyes behind one barrier (allowed up to " + std::to_string(most) + ")");
+    return map;
 }
 
 gl::Texture edgesTexture(const calib::Waveform& waveform) {
@@ -28,8 +38,8 @@ gl::Texture edgesTexture(const calib::Waveform& waveform) {
 } // namespace
 
 BandInterleaver::BandInterleaver(const calib::BandMap& map, const InterleaverParams& params)
-    : pass_("band_interleaver.frag", variant(map, params), map.eyes.front().width,
-            map.eyes.front().height),
+    : pass_("band_interleaver.frag", variant(allowed(map, kMostEyes), params),
+            map.eyes.front().width, map.eyes.front().height),
       grid_(map.eyes.front().grid) {
     pass_.block().fan = {map.eyes.size(), 0U, map.start, map.width};
     pass_.block().panel.w = static_cast<int>(map.eyes.size());
