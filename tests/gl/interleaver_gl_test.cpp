@@ -3,6 +3,7 @@
 #include "tests/gl/numbered_views.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace autostereo::test {
@@ -65,13 +66,37 @@ TEST_F(InterleaverGlTest, LutAndRemap) {
     EXPECT_EQ(wrongOf(masked), 0U);
 }
 
-TEST_F(InterleaverGlTest, TurnedOrderAndPicture) {
+TEST_F(InterleaverGlTest, TurnedOrder) {
     calib::LinearPhase law;
     law.perColumn = 0.19;
     law.perRow = 0.07;
     calib::DisplayProfile turned = display(law, 9);
     turned.order = calib::ViewOrder::RightToLeft;
     EXPECT_EQ(wrongOf(turned), 0U);
+}
+
+TEST_F(InterleaverGlTest, UpsideDownTurnsThePictureAndNotThePhases) {
+    calib::LinearPhase law;
+    law.perColumn = 0.19;
+    law.perRow = 0.07;
+    calib::ViewMap map = calib::makeViewMap(display(law, 9), kWidth, kHeight);
+    map.upsideDown = true;
+    EXPECT_EQ(differences(interleaved(map, kWidth, kHeight, 9, {}),
+                          [&](int x, int y, int c) { return levelOf(map, x, y, c); }),
+              0U);
+
+    // One view, whose tile is dark below and bright above.
+    gpu::Atlas atlas({1, {1, 1, 1, 2}});
+    const std::array<std::uint8_t, 8> texels{40, 40, 40, 40, 200, 200, 200, 200};
+    glTextureSubImage2D(atlas.color().name(), 0, 0, 0, 1, 2, GL_RGBA, GL_UNSIGNED_BYTE,
+                        texels.data());
+    map = calib::makeViewMap(display(law, 1), kWidth, kHeight);
+    const auto topOf = [&](bool upsideDown) {
+        map.upsideDown = upsideDown;
+        return interleavedFrom(atlas, map, kWidth, kHeight, {}).pixels.front();
+    };
+    EXPECT_EQ(topOf(false), 200);
+    EXPECT_EQ(topOf(true), 40);
 }
 
 TEST_F(InterleaverGlTest, TilesLieAsTheirKindSays) {

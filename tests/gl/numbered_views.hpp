@@ -33,13 +33,17 @@ inline gpu::Atlas numberedAtlas(int views) {
     return atlas;
 }
 
-inline gpu::RgbImage interleaved(const calib::PanelMap& map, int width, int height, int views,
-                                 const gpu::InterleaverParams& params) {
-    const gpu::Atlas atlas = numberedAtlas(views);
+inline gpu::RgbImage interleavedFrom(const gpu::Atlas& atlas, const calib::PanelMap& map, int width,
+                                     int height, const gpu::InterleaverParams& params) {
     const gpu::gl::Texture target(GL_RGBA8, width, height);
     const gpu::gl::Framebuffer panel = gpu::gl::makeFramebuffer(target);
     gpu::makeInterleaver(map, width, height, params)->render({&atlas, nullptr}, panel.name());
     return gpu::readFramebuffer(panel.name(), width, height);
+}
+
+inline gpu::RgbImage interleaved(const calib::PanelMap& map, int width, int height, int views,
+                                 const gpu::InterleaverParams& params) {
+    return interleavedFrom(numberedAtlas(views), map, width, height, params);
 }
 
 /// Sub-pixels that do not show the level that `expected(x, y, c)` says.

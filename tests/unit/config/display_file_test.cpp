@@ -47,6 +47,29 @@ channel = "per-unit"
 offset = "measured"
 )";
 
+/// kDisplay with one more line under [lens].
+std::string withLens(const std::string& line) {
+    std::string text = kDisplay;
+    text.insert(text.find("[quilt]"), line + "\n");
+    return text;
+}
+
+TEST_F(DisplayFile, bgrSwapsOuterChannels) {
+    write("mine.toml", withLens("bgr = true"));
+    const auto phase = std::get<calib::LinearPhase>(loadDisplay("mine.toml").law);
+    EXPECT_EQ(phase.channels, (std::vector{std::array{0.125, 0.0625, 0.0}}));
+    EXPECT_EQ(phase.perColumn, 0.25);
+}
+
+TEST_F(DisplayFile, mirrorTurnsEveryPhaseRound) {
+    write("mine.toml", withLens("mirror = true"));
+    const auto phase = std::get<calib::LinearPhase>(loadDisplay("mine.toml").law);
+    EXPECT_EQ(phase.perColumn, -0.25);
+    EXPECT_EQ(phase.perRow, 0.125);
+    EXPECT_EQ(phase.offset, -0.5);
+    EXPECT_EQ(phase.channels, (std::vector{std::array{-0.0, -0.0625, -0.125}}));
+}
+
 TEST_F(DisplayFile, linearTakesCyclesAsTheyAre) {
     write("mine.toml", kDisplay);
     const calib::DisplayProfile display = loadDisplay("mine.toml");
