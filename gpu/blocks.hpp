@@ -21,11 +21,12 @@ struct MeshBlock {
     glm::vec4 colorRadial{0};
     glm::vec4 colorRational{0};
     glm::vec4 framing{0};
+    glm::vec4 grid{0};
     glm::vec4 law{0};
     glm::vec4 budget{0};
     glm::uvec4 counts{0};
 };
-static_assert(sizeof(MeshBlock) == 192);
+static_assert(sizeof(MeshBlock) == 208);
 
 /// shaders/views_block.glsl, binding 1.
 struct ViewsBlock {
@@ -76,5 +77,10 @@ struct EyeBlock {
     glm::vec4 form{0};
 };
 static_assert(sizeof(EyeBlock) == 32);
+
+/// shaders/fill_holes.comp and background_seeds.comp, binding 3.
+struct FillBlock {
+    glm::ivec4 reach{0};
+};
 
 } // namespace autostereo::gpu

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 namespace autostereo::gpu {
@@ -12,10 +11,6 @@ namespace autostereo::gpu {
 namespace {
 
 constexpr float kNoRay = 1e30F; // shaders/mesh_block.glsl tests for less
-
-std::vector<std::string> backgroundDefine() {
-    return {"BACKGROUND " + std::to_string(DepthMesh::kBackgroundStride)};
-}
 
 gl::Texture makeRays(const calib::CameraModel& camera) {
     const int width = camera.intrinsics.width, height = camera.intrinsics.height;
@@ -29,53 +24,27 @@ gl::Texture makeRays(const calib::CameraModel& camera) {
     return texture;
 }
 
-MeshLayer makeLayer(int width, int height) {
-    const int cells = std::max(0, width - 1) * std::max(0, height - 1);
-    MeshLayer layer;
-    layer.points = gl::Texture(GL_RGBA32F, width, height);
-    layer.sources = gl::Texture(GL_RG32F, width, height);
-    layer.indexCount = 6 * cells;
-    layer.indices = gl::makeBuffer(
-        sizeof(GLuint) * static_cast<std::size_t>(std::max(1, layer.indexCount)), nullptr, 0);
-    return layer;
-}
-
 } // namespace
 
 DepthMesh::DepthMesh(const DepthMeshParams& params, const calib::SensorRig& rig)
-    : params_(params), rig_(rig), visibility_(params),
-      reduce_({"background_reduce.comp"}, backgroundDefine()),
-      spread_({"background_spread.comp"}, backgroundDefine()), scenePoints_({"mesh_points.comp"}),
-      sceneIndices_({"mesh_indices.comp"}),
-      backgroundPoints_({"mesh_points.comp"}, backgroundDefine()),
-      backgroundIndices_({"mesh_indices.comp"}, backgroundDefine()) {}
+    : params_(params), rig_(rig), points_({"mesh_points.comp"}), indices_({"mesh_indices.comp"}) {}
 
 void DepthMesh::build(const gl::Texture& depth, double depthUnitM, const SceneGeometry& geometry) {
-    const auto& [scene, background] = layers_;
-    if (!scene.points.isSized(depth.width(), depth.height())) resize(depth.width(), depth.height());
+    if (!layer_.points.isSized(depth.width(), depth.height()))
+        resize(depth.width(), depth.height());
     setBlock(depthUnitM, geometry);
     uniforms_.bind(0, block_);
-    buildPoints(scene, depth, scenePoints_);
-    buildIndices(scene, depth, sceneIndices_);
-    visibility_.hide(scene);
-    buildIndices(scene, depth, sceneIndices_);
-    buildSamples(depth);
-    buildPoints(background, samples_, backgroundPoints_);
-    buildIndices(background, samples_, backgroundIndices_);
+    buildPoints(depth);
+    buildIndices(depth);
 }
 
 void DepthMesh::resize(int width, int height) {
-    constexpr int kStride = kBackgroundStride;
-    const int columns = (width + kStride - 2) / kStride + 1;
-    const int rows = (height + kStride - 2) / kStride + 1;
     rays_ = makeRays(rig_.depth.resized(width, height));
-    reduced_ = gl::Texture(GL_RGBA16UI, columns, rows);
-    samples_ = gl::Texture(GL_RGBA16UI, columns, rows);
-    layers_ = {makeLayer(width, height), makeLayer(columns, rows)};
+    layer_ = makeMeshLayer(width, height, std::max(0, width - 1) * std::max(0, height - 1));
 }
 
 void DepthMesh::setBlock(double depthUnitM, const SceneGeometry& geometry) {
-    const auto& [framing, law] = geometry;
+    const auto& [framing, law, grid] = geometry;
     const calib::Intrinsics& pinhole = rig_.color.intrinsics;
     const calib::Distortion& bend = rig_.color.distortion;
     const CountRange range = countRange(params_, depthUnitM);
@@ -89,51 +58,28 @@ void DepthMesh::setBlock(double depthUnitM, const SceneGeometry& geometry) {
     block_.colorRadial = glm::dvec4(bend.k1, bend.k2, bend.k3, bend.p1);
     block_.colorRational = glm::dvec4(bend.k4, bend.k5, bend.k6, bend.p2);
     block_.framing = glm::dvec4(framing.left, framing.bottom, framing.width, framing.height);
+    block_.grid = glm::dvec4(grid.columns, grid.rows, grid.marginU, grid.marginV);
     block_.law = glm::dvec4(law.focusM, law.scale, law.viewerDistanceM, law.fanHalfWidth);
     block_.budget = glm::dvec4(law.farthest, law.nearest, depthUnitM, 0);
-
-    // The widest gap that a view can open, in background nodes: the whole budget, in panel widths,
-    // over what one node covers of the panel.
-    const double pixelsPerPanel = framing.width * rig_.depth.intrinsics.fx *
-                                  layers_.scene.points.width() / rig_.depth.intrinsics.width;
-    const double reach =
-        std::ceil((law.nearest - law.farthest) * pixelsPerPanel / kBackgroundStride) + 1;
-    constexpr double kLongestReach = 256; // bounds the shader's loop whatever the numbers say
     block_.counts = glm::uvec4(range.nearest, range.farthest,
-                               static_cast<unsigned>(std::lround(params_.cutRatio * 1000)),
-                               static_cast<unsigned>(std::clamp(reach, 1.0, kLongestReach)));
+                               static_cast<unsigned>(std::lround(params_.cutRatio * 1000)), 0);
 }
 
-void DepthMesh::buildSamples(const gl::Texture& depth) {
-    const int columns = samples_.width(), rows = samples_.height();
-    glBindTextureUnit(0, visibility_.clean().name());
-    glBindTextureUnit(1, depth.name());
-    glBindImageTexture(0, reduced_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16UI);
-    gl::dispatch(reduce_, columns, rows);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-    glBindTextureUnit(0, reduced_.name());
-    glBindImageTexture(0, samples_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16UI);
-    gl::dispatch(spread_, columns, rows);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-}
-
-void DepthMesh::buildPoints(const MeshLayer& layer, const gl::Texture& nodes,
-                            const gl::Program& points) {
+void DepthMesh::buildPoints(const gl::Texture& depth) {
     glBindTextureUnit(0, rays_.name());
-    glBindTextureUnit(1, nodes.name());
-    glBindImageTexture(0, layer.points.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-    glBindImageTexture(1, layer.sources.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
-    gl::dispatch(points, layer.points.width(), layer.points.height());
+    glBindTextureUnit(1, depth.name());
+    glBindImageTexture(0, layer_.points.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    glBindImageTexture(1, layer_.sources.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
+    gl::dispatch(points_, depth.width(), depth.height());
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void DepthMesh::buildIndices(const MeshLayer& layer, const gl::Texture& nodes,
-                             const gl::Program& indices) {
-    if (layer.indexCount == 0) return; // a single row or column spans no cell
-    glBindTextureUnit(0, layer.points.name());
-    glBindTextureUnit(1, nodes.name());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, layer.indices.name());
-    gl::dispatch(indices, layer.points.width() - 1, layer.points.height() - 1);
+void DepthMesh::buildIndices(const gl::Texture& depth) {
+    if (layer_.indexCount == 0) return; // a single row or column spans no cell
+    glBindTextureUnit(0, layer_.points.name());
+    glBindTextureUnit(1, depth.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, layer_.indices.name());
+    gl::dispatch(indices_, depth.width() - 1, depth.height() - 1);
     glMemoryBarrier(GL_ELEMENT_ARRAY_BARRIER_BIT);
 }
 

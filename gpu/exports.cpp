@@ -21,16 +21,23 @@ struct Target {
     gl::Framebuffer framebuffer;
 };
 
-RgbImage renderColor(const Pipeline& pipeline, const PipelineParams& params,
-                     const gl::Program& program, const EyeBlock& eye, const Target& target) {
+/// What a camera of its own kind sees of layers.
+struct Shot {
+    const MeshLayers& layers;
+    const MeshBlock& mesh;
+    const gl::Texture& color;
+};
+
+RgbImage renderColor(const Shot& shot, const PipelineParams& params, const gl::Program& program,
+                     const EyeBlock& eye, const Target& target) {
     LayerDrawer drawer(params.mesh);
     gl::UniformBuffer<MeshBlock> mesh;
     gl::UniformBuffer<EyeBlock> uniforms;
-    mesh.bind(0, pipeline.mesh().block());
+    mesh.bind(0, shot.mesh);
     uniforms.bind(3, eye);
     target.clear(params.clearColor);
     program.use();
-    drawer.draw(pipeline.mesh().layers(), pipeline.color(), {1, 1, 0, 0}, 1);
+    drawer.draw(shot.layers, shot.color, {1, 1, 0, 0}, 1);
     return readFramebuffer(target.framebuffer.name(), target.color.width(), target.color.height());
 }
 
@@ -42,15 +49,22 @@ RgbImage renderEye(const Pipeline& pipeline, const PipelineParams& params,
     const EyeBlock block{glm::dvec4(eye, display.viewingDistanceM) / display.widthM,
                          glm::dvec4(pipeline.geometry().law.fanHalfWidth,
                                     static_cast<double>(height) / width, 0, 0)};
-    return renderColor(pipeline, params, program, block, Target(GL_RGBA8, width, height));
+    return renderColor({pipeline.fusion().layers(), pipeline.mesh().block(), pipeline.color()},
+                       params, program, block, Target(GL_RGBA8, width, height));
 }
 
 RgbImage renderMovedCamera(const Pipeline& pipeline, const PipelineParams& params,
                            const calib::SensorRig& rig, glm::dvec3 offset) {
+    const SceneGeometry geometry = movedCameraGeometry(rig, offset);
+    DepthMesh mesh(params.mesh, rig);
+    Fusion fusion(params, rig);
+    mesh.build(pipeline.depth(), pipeline.mesh().block().budget.z, geometry);
+    fusion.fuse(mesh.layer(), pipeline.color(), geometry);
     const gl::Program program({"mesh_camera.vert", "mesh_view.frag"});
     glEnable(GL_CLIP_DISTANCE0);
     RgbImage image =
-        renderColor(pipeline, params, program, {glm::dvec4(offset, 0), {}},
+        renderColor({fusion.layers(), mesh.block(), pipeline.color()}, params, program,
+                    {glm::dvec4(offset, 0), {}},
                     Target(GL_RGBA8, rig.color.intrinsics.width, rig.color.intrinsics.height));
     glDisable(GL_CLIP_DISTANCE0);
     return image;
@@ -63,7 +77,7 @@ DepthImage renderRegisteredDepth(const Pipeline& pipeline, const PipelineParams&
     const Target target(GL_R32F, width, height);
     target.clear({0, 0, 0});
     program.use();
-    LayerDrawer(params.mesh).drawScene(pipeline.mesh().layers().scene);
+    LayerDrawer(params.mesh).drawScene(pipeline.mesh().layer());
 
     std::vector<float> metres(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     glGetTextureImage(target.color.name(), 0, GL_RED, GL_FLOAT,

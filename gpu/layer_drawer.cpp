@@ -11,6 +11,7 @@ void LayerDrawer::draw(const MeshLayers& layers, const gl::Texture& color, glm::
                        int instances) {
     glBindTextureUnit(2, color.name());
     drawLayer(layers.scene, tiles, {0.0F, 0.5F}, instances);
+    glBindTextureUnit(2, layers.backgroundColor->name());
     drawLayer(layers.background, tiles, {0.5F, 0.5F}, instances);
 }
 

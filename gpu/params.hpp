@@ -21,6 +21,16 @@ struct DepthMeshParams {
     double cutRatio = 0.05;
 };
 
+/// How the measured surfaces become a complete cyclopean picture.
+struct FusionParams {
+    double density = 2;  ///< texels of the cyclopean grid per pixel of the depth camera
+    int fillReach = 128; ///< a texel farther than that from every measurement stays empty, texels
+    /// Depth this close to an edge gives way to the colours' decision where the colour camera has
+    /// the finer pixels, depth pixels.
+    double edgeBand = 1;
+    double edgeReach = 3; ///< so near an edge colours decide between surfaces, depth pixels
+};
+
 struct DepthBudgetParams {
     /// Camera depth shown in the panel's plane; none: median depth of the picture's central third.
     std::optional<double> focusM;
@@ -36,6 +46,7 @@ struct SynthesisParams {
 
 struct PipelineParams {
     DepthMeshParams mesh;
+    FusionParams fusion;
     DepthBudgetParams budget;
     SynthesisParams synthesis;
     std::array<double, 3> clearColor{0, 0, 0}; ///< gamma-encoded, 0..1

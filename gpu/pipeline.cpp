@@ -18,7 +18,7 @@ Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
                    const calib::DisplayProfile& display, int panelWidth, int panelHeight)
     : params_(params), rig_(rig), display_(display),
       panelAspect_(static_cast<double>(panelWidth) / panelHeight), mesh_(params.mesh, rig),
-      atlas_(atlasLayout(display, panelWidth, panelHeight)),
+      fusion_(params, rig), atlas_(atlasLayout(display, panelWidth, panelHeight)),
       views_(makeViewSynthesis(params.synthesis.method, display, params)),
       disparity_(disparityView(params, display, atlas_.layout().quilt)),
       interleaver_(makeInterleaver(
@@ -37,15 +37,16 @@ void Pipeline::renderAtlas(const devices::RgbdFrame& frame) {
     if (!placed_) placeScene(frame.depth);
     timed(0, [&] { uploader_.upload(frame); });
     timed(1, [&] { mesh_.build(uploader_.depth(), frame.depth.metadata().depthUnitM, geometry_); });
-    timed(2, [&] {
-        views_->render(mesh_.layers(), uploader_.color(), atlas_);
-        if (disparity_) disparity_->render(mesh_.layers(), uploader_.color());
+    timed(2, [&] { fusion_.fuse(mesh_.layer(), uploader_.color(), geometry_); });
+    timed(3, [&] {
+        views_->render(fusion_.layers(), uploader_.color(), atlas_);
+        if (disparity_) disparity_->render(fusion_.layers(), uploader_.color());
     });
 }
 
 void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
     renderAtlas(frame);
-    timed(3, [&] {
+    timed(4, [&] {
         interleaver_->render({&atlas_, disparity_ ? &disparity_->texture() : nullptr}, panel);
     });
 }
@@ -55,8 +56,8 @@ void Pipeline::placeScene(const devices::Frame& depth) {
     const auto focus =
         params_.budget.focusM ? params_.budget.focusM : medianDepth(depth, rig_, params_.mesh);
     placed_ = focus.has_value();
-    geometry_ = sceneGeometry(rig_, display_, params_.budget, panelAspect_,
-                              focus.value_or(kFocusWithoutDepthM));
+    geometry_ =
+        sceneGeometry(rig_, display_, params_, panelAspect_, focus.value_or(kFocusWithoutDepthM));
 }
 
 } // namespace autostereo::gpu

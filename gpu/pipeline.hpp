@@ -5,6 +5,7 @@
 #include "gpu/depth_mesh.hpp"
 #include "gpu/disparity_view.hpp"
 #include "gpu/frame_uploader.hpp"
+#include "gpu/fusion/fusion.hpp"
 #include "gpu/gl/timer.hpp"
 #include "gpu/interleaver.hpp"
 #include "gpu/view_synthesis.hpp"
@@ -16,11 +17,12 @@
 
 namespace autostereo::gpu {
 
-/// The GPU's stages in their order, each a pass of its own: upload, mesh, views, interleave.
+/// The GPU's stages in their order: upload, mesh, fuse, views, interleave.
 /// Owns the passes; the caller owns the context. Thread-bound.
 class Pipeline {
   public:
-    static constexpr std::array<const char*, 4> kStages{"upload", "mesh", "views", "interleave"};
+    static constexpr std::array<const char*, 5> kStages{"upload", "mesh", "fuse", "views",
+                                                        "interleave"};
     /// Receives (index into kStages, GPU milliseconds) as results arrive, some frames late.
     using StageTime = std::function<void(std::size_t stage, double milliseconds)>;
 
@@ -36,8 +38,10 @@ class Pipeline {
 
     [[nodiscard]] const Atlas& atlas() const { return atlas_; }
     [[nodiscard]] const DepthMesh& mesh() const { return mesh_; }
+    [[nodiscard]] const Fusion& fusion() const { return fusion_; }
     /// What a display of type 2d_plus_depth gets beside the picture; none on others.
     [[nodiscard]] const std::optional<DisparityView>& disparity() const { return disparity_; }
+    [[nodiscard]] const gl::Texture& depth() const { return uploader_.depth(); }
     [[nodiscard]] const gl::Texture& color() const { return uploader_.color(); }
     /// Set by the first frame with a measurement (or by params.budget.focusM), then kept, so that
     /// the scene stands still behind the glass.
@@ -57,6 +61,7 @@ class Pipeline {
 
     FrameUploader uploader_;
     DepthMesh mesh_;
+    Fusion fusion_;
     Atlas atlas_;
     std::unique_ptr<ViewSynthesis> views_;
     std::optional<DisparityView> disparity_; ///< for displays that make their views themselves

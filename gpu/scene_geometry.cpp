@@ -1,5 +1,7 @@
 #include "gpu/scene_geometry.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -55,12 +57,38 @@ std::optional<double> medianDepth(const devices::Frame& depth, const calib::Sens
 }
 
 SceneGeometry sceneGeometry(const calib::SensorRig& rig, const calib::DisplayProfile& display,
-                            const DepthBudgetParams& budget, double panelAspect, double focusM) {
+                            const PipelineParams& params, double panelAspect, double focusM) {
     const double overscan = std::max(-display.disparityFar, display.disparityNear);
     SceneGeometry geometry;
     geometry.framing = calib::framePanel(rig, panelAspect, overscan, focusM);
-    geometry.law =
-        calib::disparityLaw(display, focusM, geometry.framing.width * focusM, budget.depthScale);
+    geometry.law = calib::disparityLaw(display, focusM, geometry.framing.width * focusM,
+                                       params.budget.depthScale);
+    geometry.grid =
+        calib::cyclopeanGrid(geometry.framing, rig.depth, params.fusion.density, overscan, 0);
+    return geometry;
+}
+
+SceneGeometry movedCameraGeometry(const calib::SensorRig& rig, glm::dvec3 offset) {
+    constexpr double kMargin = 0.25;   // of the picture, for what comes into view
+    constexpr double kInfinityM = 1e6; // d = t / z - t / infinity
+    constexpr double kMostDisparity = 1e3;
+    const calib::Intrinsics& pixels = rig.color.intrinsics;
+    const auto margin = [&](int side, bool moves) {
+        return moves ? static_cast<int>(std::ceil(kMargin * side)) : 0;
+    };
+    const int across = margin(pixels.width, offset.x != 0 || offset.z != 0);
+    const int along = margin(pixels.height, offset.y != 0 || offset.z != 0);
+    SceneGeometry geometry;
+    geometry.framing = {(-0.5 - pixels.cx) / pixels.fx,
+                        (pixels.height - 0.5 - pixels.cy) / pixels.fy, pixels.width / pixels.fx,
+                        pixels.height / pixels.fy};
+    geometry.grid = {pixels.width + 2 * across, pixels.height + 2 * along,
+                     static_cast<double>(across) / pixels.width,
+                     static_cast<double>(along) / pixels.height};
+    geometry.law.focusM = geometry.law.viewerDistanceM = kInfinityM;
+    geometry.law.fanHalfWidth = glm::length(offset) / (geometry.framing.width * kInfinityM);
+    geometry.law.farthest = -kMostDisparity;
+    geometry.law.nearest = kMostDisparity;
     return geometry;
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "calib/cyclopean_grid.hpp"
 #include "calib/disparity_law.hpp"
 #include "calib/display_profile.hpp"
 #include "calib/framing.hpp"
 #include "calib/sensor_rig.hpp"
 #include "devices/frame.hpp"
 #include "gpu/params.hpp"
+
+#include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -16,6 +19,7 @@ namespace autostereo::gpu {
 struct SceneGeometry {
     calib::Framing framing;
     calib::DisparityLaw law;
+    calib::CyclopeanGrid grid;
 };
 
 /// Depth counts that are measurements, inclusive, for a frame's unit.
@@ -33,7 +37,11 @@ medianDepth(const devices::Frame& depth, const calib::SensorRig& rig, const Dept
 /// `panelAspect` = width / height in pixels (square pixels).
 [[nodiscard]] SceneGeometry sceneGeometry(const calib::SensorRig& rig,
                                           const calib::DisplayProfile& display,
-                                          const DepthBudgetParams& budget, double panelAspect,
+                                          const PipelineParams& params, double panelAspect,
                                           double focusM);
+
+/// The colour camera's own frame, texel for pixel where its lens is straight, for a camera moved by
+/// `offset` (metres along its axes): no budget, margins for what comes into view.
+[[nodiscard]] SceneGeometry movedCameraGeometry(const calib::SensorRig& rig, glm::dvec3 offset);
 
 } // namespace autostereo::gpu

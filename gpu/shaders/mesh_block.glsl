@@ -6,9 +6,10 @@ layout(std140, binding = 0) uniform MeshBlock {
     vec4 colorRadial;  // k1 k2 k3 p1
     vec4 colorRational; // k4 k5 k6 p2
     vec4 framing;      // left, bottom, width, height on the z = 1 plane
+    vec4 grid;         // columns, rows of the cyclopean grid; its margins (panel widths, heights)
     vec4 law;          // focus, scale, viewer distance (m), Bx (panel widths)
     vec4 budget;       // farthest, nearest (panel widths), metres per count
-    uvec4 counts;      // nearest, farthest count, cut in permille, reach of the spread in nodes
+    uvec4 counts;      // nearest, farthest count, cut in permille
 };
 
 const float kNoRay = 1e29; // rays beyond it: the pixel has no direction

@@ -6,22 +6,16 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(binding = 0) uniform sampler2D points;
-#ifndef BACKGROUND
 layout(binding = 1) uniform usampler2D depthCounts;
-#endif
 layout(std430, binding = 0) writeonly buffer Indices { uint indices[]; };
 
 bool isDrawn(ivec2 a, ivec2 b, ivec2 c) {
     bool whole = texelFetch(points, a, 0).w > 0.0 && texelFetch(points, b, 0).w > 0.0 &&
                  texelFetch(points, c, 0).w > 0.0;
-#ifdef BACKGROUND
-    return whole;
-#else
     uint za = texelFetch(depthCounts, a, 0).x;
     uint zb = texelFetch(depthCounts, b, 0).x;
     uint zc = texelFetch(depthCounts, c, 0).x;
     return whole && !isCut(min(za, min(zb, zc)), max(za, max(zb, zc)));
-#endif
 }
 
 void store(uint at, ivec2 a, ivec2 b, ivec2 c, int width) {

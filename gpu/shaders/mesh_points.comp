@@ -8,11 +8,7 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(binding = 0) uniform sampler2D rays; // x/z, y/z of each depth pixel
-#ifdef BACKGROUND
-layout(binding = 1) uniform usampler2D samples; // count, source pixel x, y
-#else
 layout(binding = 1) uniform usampler2D depthCounts;
-#endif
 layout(rgba32f, binding = 0) uniform writeonly image2D points; // u, v, disparity, z
 layout(rg32f, binding = 1) uniform writeonly image2D sources;  // texture coordinate
 
@@ -25,22 +21,11 @@ bool hasRay(ivec2 pixel) { return texelFetch(rays, pixel, 0).x < kNoRay; }
 void main() {
     ivec2 node = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(node, imageSize(points)))) return;
-#ifdef BACKGROUND
-    uvec4 chosen = texelFetch(samples, node, 0);
-    uint count = chosen.x;
-    ivec2 source = ivec2(chosen.yz);
-    ivec2 pixel = min(node * BACKGROUND, textureSize(rays, 0) - 1);
-    bool usable = count > 0u && hasRay(pixel) && hasRay(source);
-#else
     uint count = texelFetch(depthCounts, node, 0).x;
-    ivec2 source = node;
-    ivec2 pixel = node;
-    bool usable = isMeasured(count) && hasRay(pixel);
-#endif
+    bool usable = isMeasured(count) && hasRay(node);
     float z = float(count) * budget.z;
-    vec3 point = usable ? inColorCamera(pixel, z) : vec3(0.0);
-    vec3 seen = usable ? inColorCamera(source, z) : vec3(0.0);
-    usable = point.z > 0.0 && seen.z > 0.0 && dot(seen.xy, seen.xy) <= colorSize.z * seen.z * seen.z;
+    vec3 point = usable ? inColorCamera(node, z) : vec3(0.0);
+    usable = point.z > 0.0 && dot(point.xy, point.xy) <= colorSize.z * point.z * point.z;
     if (!usable) {
         imageStore(points, node, vec4(0.0));
         imageStore(sources, node, vec4(0.0));
@@ -48,7 +33,7 @@ void main() {
     }
     vec2 ray = point.xy / point.z;
     vec2 uv = vec2(ray.x - framing.x, framing.y - ray.y) / framing.zw;
-    vec2 pixelSeen = distortRay(seen.xy / seen.z, colorRadial, colorRational) * colorPinhole.xy +
+    vec2 pixelSeen = distortRay(ray, colorRadial, colorRational) * colorPinhole.xy +
                      colorPinhole.zw;
     imageStore(points, node, vec4(uv, disparityAt(point.z, law, budget.xy), point.z));
     imageStore(sources, node, vec4(textureFromPixel(pixelSeen, colorSize.xy), 0.0, 0.0));

@@ -1,4 +1,5 @@
-// The whole path (mesh -> the same tiles at the same size -> interleave) against double precision.
+// From the fused layers on (the same tiles at the same size -> interleave) against double
+// precision.
 
 #include "tests/gl/scene_support.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -59,8 +60,7 @@ TEST_P(PathGlTest, PanelAgreesWithTheOracle) {
     pipeline.render(pair.frame, panel.name());
     const gpu::RgbImage image = gpu::readFramebuffer(panel.name(), display.width, display.height);
 
-    const auto tiles =
-        oracleTiles(oracleInput(pair, pipeline, params), colorPicture(pair.frame.color), display);
+    const auto tiles = oracleTiles(pipeline, colorPicture(pair.frame.color), display);
     const oracle::Picture truth =
         oracle::interleave(display, tiles, display.width, display.height, GetParam().filter);
     const Differences found = compare(image, truth);

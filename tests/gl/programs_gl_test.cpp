@@ -23,15 +23,16 @@ TEST_P(ProgramsGlTest, Links) {
     EXPECT_NO_THROW(gpu::gl::Program(GetParam().shaders, GetParam().defines));
 }
 
-const std::vector<std::string> kBackground{"BACKGROUND 4"};
-
 INSTANTIATE_TEST_SUITE_P(
     All, ProgramsGlTest,
-    testing::Values(Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_points.comp"}, kBackground},
-                    Variant{{"mesh_indices.comp"}, {}}, Variant{{"mesh_indices.comp"}, kBackground},
-                    Variant{{"background_reduce.comp"}, kBackground},
-                    Variant{{"background_spread.comp"}, kBackground},
-                    Variant{{"color_visibility.comp"}, {}},
+    testing::Values(Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_indices.comp"}, {}},
+                    Variant{{"mesh_cyclopean.vert", "mesh_register.frag"}, {}},
+                    Variant{{"edge_band.comp"}, {}}, Variant{{"fill_holes.comp"}, {}},
+                    Variant{{"background_claims.comp"}, {}}, Variant{{"background_guide.comp"}, {}},
+                    Variant{{"background_seeds.comp"}, {}},
+                    Variant{{"background_compose.comp"}, {}}, Variant{{"pull.comp"}, {}},
+                    Variant{{"push.comp"}, {}}, Variant{{"push.comp"}, {"COARSEST"}},
+                    Variant{{"layer_quads.comp"}, {}}, Variant{{"layer_nodes.comp"}, {}},
                     Variant{{"mesh_view.vert", "mesh_view.frag"}, {}},
                     Variant{{"mesh_view.vert", "mesh_view.frag"}, {"TILED"}},
                     Variant{{"mesh_eye.vert", "mesh_view.frag"}, {}},

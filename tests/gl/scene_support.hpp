@@ -74,19 +74,59 @@ inline oracle::Picture colorPicture(const devices::Frame& frame) {
     return picture;
 }
 
-/// All views' tiles, in double precision.
-inline std::vector<oracle::Picture> oracleTiles(const oracle::MeshInput& mesh,
+/// A layer as the GPU holds it, for drawing it in double precision.
+inline oracle::Layer readLayer(const gpu::MeshLayer& layer) {
+    const auto nodes = static_cast<std::size_t>(layer.points.width()) *
+                       static_cast<std::size_t>(layer.points.height());
+    std::vector<glm::vec4> points(nodes);
+    std::vector<glm::vec2> sources(nodes);
+    std::vector<GLuint> indices(static_cast<std::size_t>(layer.indexCount));
+    glGetTextureImage(layer.points.name(), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(nodes * sizeof(glm::vec4)), points.data());
+    glGetTextureImage(layer.sources.name(), 0, GL_RG, GL_FLOAT,
+                      static_cast<GLsizei>(nodes * sizeof(glm::vec2)), sources.data());
+    glGetNamedBufferSubData(layer.indices.name(), 0,
+                            static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)),
+                            indices.data());
+    oracle::Layer read{layer.points.width(), layer.points.height(), {}, {}};
+    for (std::size_t i = 0; i < nodes; ++i) {
+        const glm::dvec4 point(points[i]);
+        const glm::dvec2 source(sources[i]);
+        read.nodes.push_back(oracle::Node{point.x, point.y, point.z, point.w, source.x, source.y});
+    }
+    for (std::size_t i = 0; i < indices.size(); i += 3)
+        if (indices[i] != indices[i + 1])
+            read.triangles.push_back({static_cast<int>(indices[i]),
+                                      static_cast<int>(indices[i + 1]),
+                                      static_cast<int>(indices[i + 2])});
+    return read;
+}
+
+inline oracle::Picture readPicture(const gpu::gl::Texture& texture) {
+    oracle::Picture picture{texture.width(), texture.height(), {}};
+    std::vector<std::array<std::uint8_t, 4>> texels(static_cast<std::size_t>(picture.width) *
+                                                    static_cast<std::size_t>(picture.height));
+    glGetTextureImage(texture.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                      static_cast<GLsizei>(4 * texels.size()), texels.data());
+    for (const auto& [red, green, blue, alpha] : texels)
+        picture.pixels.push_back(
+            {static_cast<double>(red), static_cast<double>(green), static_cast<double>(blue)});
+    return picture;
+}
+
+/// All views' tiles, in double precision, from the layers that the pipeline fused last.
+inline std::vector<oracle::Picture> oracleTiles(const gpu::Pipeline& pipeline,
                                                 const oracle::Picture& color,
                                                 const calib::DisplayProfile& display) {
-    const oracle::Layer scene = oracle::sceneLayer(mesh);
-    const oracle::Layer background =
-        oracle::backgroundLayer(mesh, scene, gpu::DepthMesh::kBackgroundStride);
+    const gpu::MeshLayers& layers = pipeline.fusion().layers();
+    const oracle::Layer scene = readLayer(layers.scene), behind = readLayer(layers.background);
+    const oracle::Picture behindColor = readPicture(*layers.backgroundColor);
     std::vector<oracle::Picture> tiles;
     for (int view = 0; view < display.views; ++view) {
         const double b = (2.0 * view + 1) / display.views - 1;
         oracle::ViewDrawing drawing(display.quilt.tileWidth, display.quilt.tileHeight, {});
         drawing.draw(scene, b, color);
-        drawing.draw(background, b, color);
+        drawing.draw(behind, b, behindColor);
         tiles.push_back(drawing.picture());
     }
     return tiles;

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "gpu/fusion/pull_push.hpp"
+
+namespace autostereo::gpu {
+
+/// What stands behind the scene: its own surfaces where nothing can be behind them, else the depth
+/// of the surface across the edge and colours spread from around, never from what is nearer.
+/// Needs MeshBlock at binding 0 and FillBlock at 3. Thread-bound.
+class BackgroundLayer {
+  public:
+    BackgroundLayer();
+    void resize(int columns, int rows);
+
+    void build(const gl::Texture& measured, const gl::Texture& filled, const gl::Texture& picture);
+    [[nodiscard]] const gl::Texture& depth() const { return depth_; } ///< R32F, m, never 0
+    [[nodiscard]] const gl::Texture& color() const { return color_; } ///< RGBA8
+    [[nodiscard]] const gl::Texture& claims() const { return claims_; }
+
+  private:
+    void claim(const gl::Texture& filled);
+    void spreadGuide();
+    void spreadColors(const gl::Texture& measured, const gl::Texture& filled,
+                      const gl::Texture& picture);
+    void compose(const gl::Texture& filled, const gl::Texture& picture);
+
+    gl::Program claimRows_, guideSeeds_, colorSeeds_, compose_;
+    PullPush guide_, colors_;
+    gl::Texture claims_; ///< RG32F: depth behind (m; 0: none), texels to the edge
+    gl::Texture depth_, color_;
+};
+
+} // namespace autostereo::gpu

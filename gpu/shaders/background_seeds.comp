@@ -1,0 +1,46 @@
+#version 450 core
+// Colours that the hidden background may be continued from: unclaimed and no nearer than what is
+// hidden there. Where depth was guessed close beside a nearer surface the colour may be that one's.
+#include "mesh_block.glsl"
+#include "camera.glsl"
+#include "cyclopean_grid.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+
+layout(binding = 0) uniform sampler2D measured;
+layout(binding = 4) uniform sampler2D filled;
+layout(binding = 1) uniform sampler2D claims;
+layout(binding = 2) uniform sampler2D guide; // 1/m
+layout(binding = 3) uniform sampler2D colorImage;
+layout(rgba32f, binding = 0) uniform writeonly image2D seeds;
+
+layout(std140, binding = 3) uniform FillBlock {
+    ivec4 reach; // .z: texels beside an edge
+};
+
+bool isBesideNearer(ivec2 texel, float z) {
+    ivec2 size = textureSize(filled, 0);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 direction = ivec2((i & 1) * 2 - 1, 0);
+        if (i > 1) direction = direction.yx;
+        for (int step = 1; step <= reach.z; ++step) {
+            ivec2 place = clamp(texel + direction * step, ivec2(0), size - 1);
+            float other = texelFetch(filled, place, 0).x;
+            if (other > 0.0 && isBehind(z, other)) return true;
+        }
+    }
+    return false;
+}
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(texel, imageSize(seeds)))) return;
+    vec2 source = sourceFromPanel(panelFromTexel(vec2(texel)));
+    float z = texelFetch(filled, texel, 0).x;
+    bool guessed = texelFetch(measured, texel, 0).x == 0.0;
+    float inverse = texelFetch(guide, texel, 0).x;
+    bool far = z > 0.0 && !(inverse > 0.0 && isBehind(1.0 / inverse, z));
+    bool known = far && texelFetch(claims, texel, 0).x == 0.0 && isInPicture(source);
+    known = known && !(guessed && isBesideNearer(texel, z));
+    imageStore(seeds, texel, known ? vec4(texture(colorImage, source).rgb, 1.0) : vec4(0.0));
+}

@@ -1,0 +1,66 @@
+#version 450 core
+// The scene layer: a quad for each texel that has depth, so that a surface reaches to the edges of
+// its outermost texels. Corners that four texels of one surface share are one vertex, the others one
+// for each texel, which is what cuts surfaces apart. Vertex of a texel's corner (i, j): (2x+i, 2y+j).
+#include "mesh_block.glsl"
+#include "camera.glsl"
+#include "disparity.glsl"
+#include "cyclopean_grid.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+
+layout(binding = 0) uniform sampler2D filled;
+layout(rgba32f, binding = 0) uniform writeonly image2D points; // u, v, disparity, z
+layout(rg32f, binding = 1) uniform writeonly image2D sources;  // texture coordinate
+layout(std430, binding = 0) writeonly buffer Indices { uint indices[]; };
+
+float depthAt(ivec2 texel, ivec2 size) {
+    bool onGrid = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, size));
+    return onGrid ? texelFetch(filled, texel, 0).x : 0.0;
+}
+
+bool areOne(float a, float b) {
+    return a > 0.0 && b > 0.0 && !isBehind(a, b) && !isBehind(b, a);
+}
+
+// Writes a corner; the number of the vertex that stands for it.
+uint corner(ivec2 texel, ivec2 side, float own, ivec2 size) {
+    float disparity = 0.0, inverse = 0.0, parts = 0.0, nearest = own, farthest = own;
+    for (int i = 0; i < 4; ++i) {
+        float z = depthAt(texel + side - ivec2(i & 1, i >> 1), size);
+        nearest = min(nearest, z);
+        farthest = max(farthest, z);
+        if (!areOne(own, z)) continue;
+        disparity += disparityAt(z, law, budget.xy);
+        inverse += 1.0 / z;
+        parts += 1.0;
+    }
+    ivec2 vertex = 2 * texel + side;
+    vec2 uv = panelFromTexel(vec2(texel + side) - 0.5);
+    imageStore(points, vertex, vec4(uv, disparity / parts, parts / inverse));
+    imageStore(sources, vertex, vec4(sourceFromPanel(uv), 0.0, 0.0));
+    ivec2 owner = texel + side;
+    bool one = areOne(nearest, farthest) && all(lessThan(owner, size));
+    ivec2 standing = one ? 2 * owner : vertex;
+    return uint(standing.y * 2 * size.x + standing.x);
+}
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = textureSize(filled, 0);
+    if (any(greaterThanEqual(texel, size))) return;
+    float own = texelFetch(filled, texel, 0).x;
+    uint at = uint(texel.y * size.x + texel.x) * 6u;
+    if (own == 0.0) {
+        for (uint i = 0u; i < 6u; ++i) indices[at + i] = 0u;
+        return;
+    }
+    uint a = corner(texel, ivec2(0, 0), own, size), b = corner(texel, ivec2(1, 0), own, size);
+    uint c = corner(texel, ivec2(0, 1), own, size), d = corner(texel, ivec2(1, 1), own, size);
+    indices[at] = a;
+    indices[at + 1u] = c;
+    indices[at + 2u] = b;
+    indices[at + 3u] = b;
+    indices[at + 4u] = c;
+    indices[at + 5u] = d;
+}
