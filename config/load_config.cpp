@@ -38,6 +38,12 @@ void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
         mesh.reject("farthest_m", "is not farther than nearest_m (allowed nearest_m to 100)");
     params.mesh.cutRatio = mesh.number("cut_ratio", {0.005, 0.5}, params.mesh.cutRatio);
 
+    auto fusion = root.table("fusion");
+    params.fusion.density = fusion.number("density", {0.25, 4}, params.fusion.density);
+    params.fusion.edgeBandPx = fusion.number("edge_band_px", {0, 8}, params.fusion.edgeBandPx);
+    params.fusion.edgeReachPx = fusion.number("edge_reach_px", {0, 32}, params.fusion.edgeReachPx);
+    params.fusion.fillReach = fusion.integer("fill_reach", {1, 1024}, params.fusion.fillReach);
+
     auto depth = root.table("depth");
     params.budget.focusM = depth.numberOrAuto("focus_m", {0.05, 100}, params.budget.focusM);
     params.budget.depthScale = depth.number("scale", {0, 10}, params.budget.depthScale);

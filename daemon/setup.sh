@@ -20,7 +20,7 @@ test_packages=(
     libgtest-dev libgmock-dev libbenchmark-dev glslang-tools clang-format clang-tidy git
     clang libclang-rt-dev
     xvfb xauth x11-utils x11-apps x11-xserver-utils libxcb-xfixes0-dev
-    libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev
+    libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libopencv-photo-dev
 )
 
 say() { printf '== %s\n' "$*"; }

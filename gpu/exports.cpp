@@ -45,7 +45,7 @@ RgbImage renderColor(const Shot& shot, const PipelineParams& params, const gl::P
 
 RgbImage renderEye(const Pipeline& pipeline, const PipelineParams& params,
                    const calib::DisplayProfile& display, glm::dvec3 eye, int width, int height) {
-    const gl::Program program({"mesh_eye.vert", "mesh_view.frag"});
+    const gl::Program program({"mesh_eye.vert", "mesh_view.frag"}, {"CUBIC"});
     const EyeBlock block{glm::dvec4(eye, display.viewingDistanceM) / display.widthM,
                          glm::dvec4(pipeline.geometry().law.fanHalfWidth,
                                     static_cast<double>(height) / width, 0, 0)};
@@ -60,7 +60,7 @@ RgbImage renderMovedCamera(const Pipeline& pipeline, const PipelineParams& param
     Fusion fusion(params, rig);
     mesh.build(pipeline.depth(), pipeline.mesh().block().budget.z, geometry);
     fusion.fuse(mesh.layer(), pipeline.color(), geometry);
-    const gl::Program program({"mesh_camera.vert", "mesh_view.frag"});
+    const gl::Program program({"mesh_camera.vert", "mesh_view.frag"}, {"CUBIC"});
     glEnable(GL_CLIP_DISTANCE0);
     RgbImage image =
         renderColor({fusion.layers(), mesh.block(), pipeline.color()}, params, program,

@@ -19,7 +19,8 @@ namespace autostereo::gpu {
                                  const calib::DisplayProfile& display, glm::dvec3 eye, int width,
                                  int height);
 
-/// The colour camera's own picture, moved by `offset` metres along its axes.
+/// The colour camera's own picture, moved by `offset` metres along its axes; fused anew in its
+/// frame.
 [[nodiscard]] RgbImage renderMovedCamera(const Pipeline& pipeline, const PipelineParams& params,
                                          const calib::SensorRig& rig, glm::dvec3 offset);
 

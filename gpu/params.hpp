@@ -15,7 +15,7 @@ enum class ViewFilter { Nearest, Blend };
 
 struct DepthMeshParams {
     double nearestM = 0.15; ///< depth outside [nearest, farthest] counts as no measurement
-    double farthestM = 10.0;
+    double farthestM = 100.0;
     /// A triangle whose farthest corner is more than this fraction farther than its nearest one
     /// bridges two surfaces and is cut.
     double cutRatio = 0.05;
@@ -23,12 +23,12 @@ struct DepthMeshParams {
 
 /// How the measured surfaces become a complete cyclopean picture.
 struct FusionParams {
-    double density = 2;  ///< texels of the cyclopean grid per pixel of the depth camera
-    int fillReach = 128; ///< a texel farther than that from every measurement stays empty, texels
+    double density = 2; ///< texels of the cyclopean grid per pixel of the depth camera
     /// Depth this close to an edge gives way to the colours' decision where the colour camera has
     /// the finer pixels, depth pixels.
-    double edgeBand = 1;
-    double edgeReach = 3; ///< so near an edge colours decide between surfaces, depth pixels
+    double edgeBandPx = 1;
+    double edgeReachPx = 3; ///< so near an edge colours decide between surfaces, depth pixels
+    int fillReach = 128;    ///< farther from every measurement a texel stays empty, texels
 };
 
 struct DepthBudgetParams {

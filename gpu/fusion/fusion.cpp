@@ -32,8 +32,8 @@ FillBlock fillBlock(const FusionParams& params, const calib::SensorRig& rig,
     const double texelsPerPixel =
         grid.columns / ((1 + 2 * grid.marginU) * framing.width * rig.depth.intrinsics.fx);
     const auto texels = [&](double px) { return static_cast<int>(std::ceil(px * texelsPerPixel)); };
-    return {{params.fillReach, texels(params.edgeReach), texels(kUnsurePx),
-             colorIsFiner ? texels(params.edgeBand) : 0}};
+    return {{params.fillReach, texels(params.edgeReachPx), texels(kUnsurePx),
+             colorIsFiner ? texels(params.edgeBandPx) : 0}};
 }
 
 Fusion::Fusion(const PipelineParams& params, const calib::SensorRig& rig)

@@ -1,5 +1,6 @@
 #version 450 core
-// The background layer: one node a texel, all connected, coloured by its own picture.
+// The background layer: one node a texel, all connected, coloured by its own picture; the outermost
+// stand on the grid's edge.
 #include "mesh_block.glsl"
 #include "camera.glsl"
 #include "disparity.glsl"
@@ -16,7 +17,7 @@ void main() {
     ivec2 size = imageSize(points);
     if (any(greaterThanEqual(texel, size))) return;
     float z = texelFetch(depth, texel, 0).x;
-    imageStore(points, texel,
-               vec4(panelFromTexel(vec2(texel)), disparityAt(z, law, budget.xy), z));
+    vec2 place = vec2(texel) + 0.5 * (vec2(equal(texel, size - 1)) - vec2(equal(texel, ivec2(0))));
+    imageStore(points, texel, vec4(panelFromTexel(place), disparityAt(z, law, budget.xy), z));
     imageStore(sources, texel, vec4((vec2(texel) + 0.5) / vec2(size), 0.0, 0.0));
 }

@@ -35,8 +35,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Variant{{"layer_quads.comp"}, {}}, Variant{{"layer_nodes.comp"}, {}},
                     Variant{{"mesh_view.vert", "mesh_view.frag"}, {}},
                     Variant{{"mesh_view.vert", "mesh_view.frag"}, {"TILED"}},
-                    Variant{{"mesh_eye.vert", "mesh_view.frag"}, {}},
-                    Variant{{"mesh_camera.vert", "mesh_view.frag"}, {}},
+                    Variant{{"mesh_eye.vert", "mesh_view.frag"}, {"CUBIC"}},
+                    Variant{{"mesh_camera.vert", "mesh_view.frag"}, {"CUBIC"}},
                     Variant{{"mesh_register.vert", "mesh_register.frag"}, {}},
                     Variant{{"mesh_view.vert", "mesh_disparity.frag"}, {"DISPARITY"}}));
 
