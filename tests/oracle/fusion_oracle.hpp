@@ -279,13 +279,12 @@ inline Background background(const FusionInput& in, const DepthGrid& sure, const
         for (int x = 0; x < columns; ++x) {
             const double claimed = claims.at(x, y).z, inverse = guide.at(x, y)[0];
             const auto& hidden = spread.at(x, y);
-            const bool shown = claimed == 0 && depth.at(x, y) > 0;
-            result.depth.at(x, y) = claimed > 0   ? claimed
-                                    : shown       ? depth.at(x, y)
-                                    : inverse > 0 ? 1 / inverse
-                                                  : 100;
+            const double z = depth.at(x, y);
+            const double guessed = inverse > 0 ? 1 / inverse : in.geometry.law.focusM;
+            result.depth.at(x, y) = claimed > 0 ? claimed : z > 0 ? z : guessed;
+            const bool own = sourceOf(in, x, y) && (z == 0 || claimed == 0);
             result.color.at(x, y) =
-                shown ? colorOf(in, x, y) : std::array{hidden[0], hidden[1], hidden[2]};
+                own ? colorOf(in, x, y) : std::array{hidden[0], hidden[1], hidden[2]};
         }
     return result;
 }
