@@ -1,5 +1,7 @@
 #pragma once
 
+#include "calib/depth_noise.hpp"
+
 #include <array>
 #include <optional>
 
@@ -21,6 +23,34 @@ struct DepthMeshParams {
     double cutRatio = 0.05;
 };
 
+/// What DepthConditioner does to a depth picture; each step can be left out.
+struct ConditionParams {
+    /// Refuse counts outside DepthMeshParams' range, and amplitudes outside [weakest, saturated).
+    bool validity = true;
+    int weakestAmplitude = 20;
+    int saturatedAmplitude = 65535;
+
+    /// Take the noise from the amplitude where there is one, else from the range.
+    bool confidence = true;
+    calib::DepthNoise noise;
+
+    /// Remove measurements between two surfaces that belong to neither.
+    bool flyingPixels = true;
+    /// Neighbours belong to one surface if it need not be seen more grazing than this (90 degrees:
+    /// along the ray), or if they are no further apart than so many sigma.
+    double grazingRad = 1.1345; // 65 degrees
+    double edgeSigmas = 3;
+
+    /// Keep the value of a pixel where nothing moved.
+    bool hold = true;
+    double gateSigmas = 5;
+    int settleFrames = 16; ///< averaged before a pixel is held
+    int keepFrames = 30;   ///< without a measurement, beside neighbours that are held
+
+    bool fillHoles = true;
+    int holeWidth = 3; ///< pixels; wider holes stay
+};
+
 struct DepthBudgetParams {
     /// Camera depth shown in the panel's plane; none: median depth of the picture's central third.
     std::optional<double> focusM;
@@ -35,6 +65,7 @@ struct SynthesisParams {
 };
 
 struct PipelineParams {
+    ConditionParams condition;
     DepthMeshParams mesh;
     DepthBudgetParams budget;
     SynthesisParams synthesis;

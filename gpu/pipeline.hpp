@@ -2,6 +2,7 @@
 
 #include "calib/display_profile.hpp"
 #include "devices/frame.hpp"
+#include "gpu/depth_conditioner.hpp"
 #include "gpu/depth_mesh.hpp"
 #include "gpu/disparity_view.hpp"
 #include "gpu/frame_uploader.hpp"
@@ -16,11 +17,13 @@
 
 namespace autostereo::gpu {
 
-/// The GPU's stages in their order, each a pass of its own: upload, mesh, views, interleave.
+/// The GPU's stages in their order, each a pass of its own: upload, condition, mesh, views,
+/// interleave.
 /// Owns the passes; the caller owns the context. Thread-bound.
 class Pipeline {
   public:
-    static constexpr std::array<const char*, 4> kStages{"upload", "mesh", "views", "interleave"};
+    static constexpr std::array<const char*, 5> kStages{"upload", "condition", "mesh", "views",
+                                                        "interleave"};
     /// Receives (index into kStages, GPU milliseconds) as results arrive, some frames late.
     using StageTime = std::function<void(std::size_t stage, double milliseconds)>;
 
@@ -35,6 +38,7 @@ class Pipeline {
     void onStageTime(StageTime receiver) { stageTime_ = std::move(receiver); }
 
     [[nodiscard]] const Atlas& atlas() const { return atlas_; }
+    [[nodiscard]] const DepthConditioner& conditioner() const { return conditioner_; }
     [[nodiscard]] const DepthMesh& mesh() const { return mesh_; }
     /// What a display of type 2d_plus_depth gets beside the picture; none on others.
     [[nodiscard]] const std::optional<DisparityView>& disparity() const { return disparity_; }
@@ -56,6 +60,7 @@ class Pipeline {
     SceneGeometry geometry_;
 
     FrameUploader uploader_;
+    DepthConditioner conditioner_;
     DepthMesh mesh_;
     Atlas atlas_;
     std::unique_ptr<ViewSynthesis> views_;

@@ -27,7 +27,9 @@ const std::vector<std::string> kBackground{"BACKGROUND 4"};
 
 INSTANTIATE_TEST_SUITE_P(
     All, ProgramsGlTest,
-    testing::Values(Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_points.comp"}, kBackground},
+    testing::Values(Variant{{"condition_measure.comp"}, {}}, Variant{{"condition_flying.comp"}, {}},
+                    Variant{{"condition_hold.comp"}, {}}, Variant{{"condition_holes.comp"}, {}},
+                    Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_points.comp"}, kBackground},
                     Variant{{"mesh_indices.comp"}, {}}, Variant{{"mesh_indices.comp"}, kBackground},
                     Variant{{"background_reduce.comp"}, kBackground},
                     Variant{{"background_spread.comp"}, kBackground},
