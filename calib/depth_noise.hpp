@@ -12,8 +12,8 @@ namespace autostereo::calib {
 /// shot noise of surfaces alike: with range squared.
 struct DepthNoise {
     double floorM = 0.0018;
-    double shotM = 3.0;         ///< metres * amplitude counts
-    double growthPerM = 0.0011; ///< metres per square metre of range
+    double shotM = 3.1;          ///< metres * amplitude counts
+    double growthPerM = 0.00125; ///< metres per square metre of range
 
     [[nodiscard]] double sigmaAtRangeM(double z) const {
         return std::hypot(floorM, growthPerM * z * z);

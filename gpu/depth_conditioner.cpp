@@ -22,6 +22,9 @@ constexpr double kSlopeParts = 4096;
 /// all.
 constexpr double kDriftSigmas = 1.75;
 
+/// Of kTallies: missing, rejected, flying, settling, passed, mixed, corrected.
+constexpr std::array<std::size_t, 7> kNotHeld{0, 1, 3, 4, 5, 6, 7};
+
 unsigned parts(double number, double perOne, double most) {
     return static_cast<unsigned>(std::lround(std::clamp(number * perOne, 0.0, most)));
 }
@@ -82,6 +85,7 @@ void DepthConditioner::condition(const gl::Texture& depth, const gl::Texture* am
 
 void DepthConditioner::restart(const gl::Texture& depth, double depthUnitM) {
     const int width = depth.width(), height = depth.height();
+    counters_.forget(); // they counted other pixels
     depthUnitM_ = depthUnitM;
     sigmas_ = makeSigmas(params_.noise, depthUnitM);
     pixels_ = gl::Texture(GL_R32UI, width, height);
@@ -152,6 +156,11 @@ void DepthConditioner::takeTally() {
         ++tally_.frames;
         for (std::size_t i = 0; i < counts->size(); ++i)
             tally_.pixels[i] += (*counts)[i];
+        if (!params_.hold) continue;
+        tally_.pixels.back() += static_cast<std::uint64_t>(clean_.width()) *
+                                static_cast<std::uint64_t>(clean_.height());
+        for (const std::size_t other : kNotHeld)
+            tally_.pixels.back() -= (*counts)[other];
     }
 }
 

@@ -19,10 +19,11 @@ namespace autostereo::gpu {
 /// size and unit; any other starts anew. Thread-bound.
 class DepthConditioner {
   public:
-    /// What becomes of pixels, in the order of shaders/condition_tally.glsl.
-    static constexpr std::array<const char*, 11> kTallies{
-        "missing", "rejected", "doubtful",  "flying", "settling", "held",
-        "passed",  "kept",     "corrected", "filled", "holes"};
+    /// What becomes of pixels, in the order of shaders/condition_tally.glsl; the last is what is
+    /// left of all of them.
+    static constexpr std::array<const char*, 12> kTallies{
+        "missing", "rejected",  "doubtful", "flying", "settling", "passed",
+        "mixed",   "corrected", "kept",     "filled", "holes",    "held"};
     struct Tally {
         std::uint64_t frames = 0;                            ///< counted so far, some frames late
         std::array<std::uint64_t, kTallies.size()> pixels{}; ///< in all of them
@@ -54,7 +55,7 @@ class DepthConditioner {
     gl::Program measure_, flying_, hold_, holes_;
     gl::UniformBuffer<ConditionBlock> uniforms_;
     ConditionBlock block_;
-    gl::CounterRing counters_{kTallies.size()};
+    gl::CounterRing counters_{kTallies.size() - 1};
     Tally tally_;
 
     gl::Texture sigmas_, noAmplitude_;

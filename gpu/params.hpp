@@ -3,6 +3,7 @@
 #include "calib/depth_noise.hpp"
 
 #include <array>
+#include <numbers>
 #include <optional>
 
 namespace autostereo::gpu {
@@ -38,8 +39,8 @@ struct ConditionParams {
     bool flyingPixels = true;
     /// Neighbours belong to one surface if it need not be seen more grazing than this (90 degrees:
     /// along the ray), or if they are no further apart than so many sigma.
-    double grazingRad = 1.1345; // 65 degrees
-    double edgeSigmas = 3;
+    double grazingRad = 65 * std::numbers::pi / 180;
+    double edgeSigmas = 2.5;
 
     /// Keep the value of a pixel where nothing moved.
     bool hold = true;

@@ -1,5 +1,7 @@
 #include "gpu/gl/counter_ring.hpp"
 
+#include <utility>
+
 namespace autostereo::gpu::gl {
 
 CounterRing::CounterRing(std::size_t counters)
@@ -8,9 +10,12 @@ CounterRing::CounterRing(std::size_t counters)
         buffer = makeBuffer(counters * sizeof(GLuint), nullptr, 0);
 }
 
-CounterRing::~CounterRing() {
-    for (const GLsync fence : fences_)
-        if (fence != nullptr) glDeleteSync(fence);
+CounterRing::~CounterRing() { forget(); }
+
+void CounterRing::forget() {
+    for (GLsync& fence : fences_)
+        if (fence != nullptr) glDeleteSync(std::exchange(fence, nullptr));
+    pending_ = 0;
 }
 
 void CounterRing::begin(GLuint binding) {

@@ -23,6 +23,8 @@ class CounterRing {
     void end();
     /// Those of the oldest frame that was not yet taken, if they have arrived.
     [[nodiscard]] std::optional<std::vector<std::uint32_t>> take();
+    /// Those that were not yet taken never will be.
+    void forget();
 
   private:
     static constexpr std::size_t kInFlight = 4;

@@ -14,38 +14,37 @@ layout(r32ui, binding = 0) uniform writeonly uimage2D marked;
 
 const uint kEnough = 2u; // neighbours on the same surface
 
+// Those to the sides first: almost everywhere they settle it.
+const ivec2 kAround[8] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1),
+                                 ivec2(-1, -1), ivec2(1, -1), ivec2(-1, 1), ivec2(1, 1));
+
 bool flies(ivec2 pixel, uint own) {
     ivec2 last = textureSize(measured, 0) - 1;
     bool nearer = false, farther = false;
     uint supporters = 0u;
-    for (int y = -1; y <= 1; ++y) {
-        for (int x = -1; x <= 1; ++x) {
-            ivec2 at = pixel + ivec2(x, y);
-            if (at == pixel || at != clamp(at, ivec2(0), last)) continue;
-            uint other = texelFetch(measured, at, 0).x;
-            if (countOf(other) == 0u) continue;
-            if (areOneSurface(own, other, 1u)) {
-                if (isUsable(other)) ++supporters;
-            } else if (countOf(other) < countOf(own)) {
-                nearer = true;
-            } else {
-                farther = true;
-            }
+    for (int i = 0; i < 8 && supporters < kEnough; ++i) {
+        ivec2 at = pixel + kAround[i];
+        if (at != clamp(at, ivec2(0), last)) continue;
+        uint other = texelFetch(measured, at, 0).x;
+        if (countOf(other) == 0u) continue;
+        if (areOneSurface(own, other, 1u)) {
+            if (isUsable(other)) ++supporters;
+        } else if (countOf(other) < countOf(own)) {
+            nearer = true;
+        } else {
+            farther = true;
         }
     }
     return nearer && farther && supporters < kEnough;
 }
 
 void main() {
-    startTallies();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (all(lessThan(pixel, imageSize(marked)))) {
-        uint own = texelFetch(measured, pixel, 0).x;
-        if (isUsable(own) && flies(pixel, own)) {
-            own |= kFlying;
-            tally(kFlyingRemoved);
-        }
-        imageStore(marked, pixel, uvec4(own));
+    if (any(greaterThanEqual(pixel, imageSize(marked)))) return;
+    uint own = texelFetch(measured, pixel, 0).x;
+    if (isUsable(own) && flies(pixel, own)) {
+        own |= kFlying;
+        tally(kFlyingRemoved);
     }
-    finishTallies();
+    imageStore(marked, pixel, uvec4(own));
 }

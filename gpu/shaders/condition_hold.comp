@@ -18,9 +18,12 @@ const int kReach = 2;         // pixels: what misses a measurement seldom misses
 const uint kEnough = 2u;      // pixels that make a surface, as in condition_flying
 
 // What the noise of a measurement, and of the n frames that the held value is the mean of, can do.
+// Five eighths of it while settling: a false alarm costs nothing yet, and the mean of a surface that
+// moves is of none of its places.
 uint gateOf(uvec4 held, uint now) {
     uint gate = hold.x * max(held.w, sigmaOf(now));
-    return gate + gate / (2u * held.y);
+    gate += gate / (2u * held.y);
+    return held.y < hold.y ? gate - 3u * gate / 8u : gate;
 }
 
 uvec4 start(uint now) { return uvec4(countOf(now) << 8, 1u, 0u, sigmaOf(now)); }
@@ -35,7 +38,6 @@ uvec4 follow(uvec4 held, uint now) {
     int mean = int(held.z);
     mean += (int(countOf(now) << 8) - int(held.x) - mean) >> kResidualShift;
     if (uint(abs(mean)) <= hold.w * held.w) {
-        tally(kHeld);
         return uvec4(held.xy, uint(mean), held.w);
     }
     tally(kCorrected);
@@ -107,21 +109,18 @@ uvec4 update(uvec4 held, uint now) {
 }
 
 void main() {
-    startTallies();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (all(lessThan(pixel, imageSize(calm)))) {
-        uint now = texelFetch(measured, pixel, 0).x;
-        uvec4 held = texelFetch(before, pixel, 0);
-        uint frames = 0u;
-        if (isKept(pixel, held, now)) {
-            frames = imageLoad(waited, pixel).x + 1u;
-            tally(kKept);
-        } else {
-            held = isUsable(now) ? update(held, now) : uvec4(0u);
-        }
-        imageStore(calm, pixel, uvec4(held.y > 0u ? heldPixel(held) : 0u));
-        imageStore(after, pixel, held);
-        imageStore(waited, pixel, uvec4(frames));
+    if (any(greaterThanEqual(pixel, imageSize(calm)))) return;
+    uint now = texelFetch(measured, pixel, 0).x;
+    uvec4 held = texelFetch(before, pixel, 0);
+    uint frames = 0u;
+    if (isKept(pixel, held, now)) {
+        frames = imageLoad(waited, pixel).x + 1u;
+        tally(isUsable(now) ? kMixed : kKept);
+    } else {
+        held = isUsable(now) ? update(held, now) : uvec4(0u);
     }
-    finishTallies();
+    imageStore(calm, pixel, uvec4(held.y > 0u ? heldPixel(held) : 0u));
+    imageStore(after, pixel, held);
+    imageStore(waited, pixel, uvec4(frames));
 }

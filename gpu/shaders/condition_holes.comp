@@ -46,13 +46,10 @@ uint fill(ivec2 pixel) {
 }
 
 void main() {
-    startTallies();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (all(lessThan(pixel, imageSize(clean)))) {
-        uint own = texelFetch(measured, pixel, 0).x;
-        uint count = isUsable(own) ? countOf(own) : fill(pixel);
-        if (!isUsable(own)) tally(count > 0u ? kFilled : kHoles);
-        imageStore(clean, pixel, uvec4(count));
-    }
-    finishTallies();
+    if (any(greaterThanEqual(pixel, imageSize(clean)))) return;
+    uint own = texelFetch(measured, pixel, 0).x;
+    uint count = isUsable(own) ? countOf(own) : fill(pixel);
+    if (!isUsable(own)) tally(count > 0u ? kFilled : kHoles);
+    imageStore(clean, pixel, uvec4(count));
 }

@@ -35,9 +35,7 @@ uint measure(ivec2 pixel) {
 }
 
 void main() {
-    startTallies();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (all(lessThan(pixel, imageSize(measured))))
-        imageStore(measured, pixel, uvec4(measure(pixel)));
-    finishTallies();
+    if (any(greaterThanEqual(pixel, imageSize(measured)))) return;
+    imageStore(measured, pixel, uvec4(measure(pixel)));
 }
