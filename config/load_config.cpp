@@ -30,7 +30,41 @@ void readTiming(TomlReader& root, Config& config) {
                          "is less than first_delay_ms (allowed first_delay_ms to 600000)");
 }
 
+void readNoise(TomlReader& table, calib::DepthNoise& noise) {
+    const auto millimetres = [&](std::string_view key, Range range, double fallback) {
+        return units::metresFromMm(table.number(key, range, units::mmFromMetres(fallback)));
+    };
+    noise.floorM = millimetres("noise_floor_mm", {0, 1000}, noise.floorM);
+    noise.shotM = millimetres("noise_shot_mm", {0, 1e6}, noise.shotM);
+    noise.growthPerM = millimetres("noise_growth_mm", {0, 1000}, noise.growthPerM);
+}
+
+void readCondition(TomlReader& root, gpu::ConditionParams& params) {
+    auto table = root.table("condition");
+    params.validity = table.boolean("validity", params.validity);
+    params.weakestAmplitude =
+        table.integer("weakest_amplitude", {0, 65534}, params.weakestAmplitude);
+    params.saturatedAmplitude =
+        table.integer("saturated_amplitude", {1, 65535}, params.saturatedAmplitude);
+    if (params.saturatedAmplitude <= params.weakestAmplitude)
+        table.reject("saturated_amplitude",
+                     "is not more than weakest_amplitude (allowed weakest_amplitude to 65535)");
+    params.confidence = table.boolean("confidence", params.confidence);
+    readNoise(table, params.noise);
+    params.flyingPixels = table.boolean("flying_pixels", params.flyingPixels);
+    params.grazingRad = units::radiansFromDeg(
+        table.number("grazing_deg", {10, 89}, units::degFromRadians(params.grazingRad)));
+    params.edgeSigmas = table.number("edge_sigmas", {0, 20}, params.edgeSigmas);
+    params.hold = table.boolean("hold", params.hold);
+    params.gateSigmas = table.number("gate_sigmas", {1, 20}, params.gateSigmas);
+    params.settleFrames = table.integer("settle_frames", {1, 64}, params.settleFrames);
+    params.keepFrames = table.integer("keep_frames", {0, 250}, params.keepFrames);
+    params.fillHoles = table.boolean("fill_holes", params.fillHoles);
+    params.holeWidth = table.integer("hole_width", {0, 8}, params.holeWidth);
+}
+
 void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
+    readCondition(root, params.condition);
     auto mesh = root.table("mesh");
     params.mesh.nearestM = mesh.number("nearest_m", {0.01, 10}, params.mesh.nearestM);
     params.mesh.farthestM = mesh.number("farthest_m", {0.1, 100}, params.mesh.farthestM);

@@ -34,6 +34,9 @@ Json toJson(const Report& report) {
     Json stages = Json::object();
     for (std::size_t i = 0; i < report.stageNames.size(); ++i)
         stages[report.stageNames[i]] = percentilesJson(report.stageMs[i], "p50_ms", "p99_ms");
+    Json conditioner = Json::object();
+    for (const auto& [what, pixels] : report.conditioner)
+        conditioner[what] = pixels;
     return {
         {"input", report.input},
         {"display", report.display},
@@ -46,6 +49,7 @@ Json toJson(const Report& report) {
         {"frames_dropped", report.feed.dropped},
         {"frames_without_depth", report.withoutDepth},
         {"skipped", report.skipped},
+        {"conditioner", conditioner},
         {"stages", stages},
         {"latency_ms", report.latencyMs.at(0.5) ? percentilesJson(report.latencyMs, "p50", "p99")
                                                 : Json(nullptr)},

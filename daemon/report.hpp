@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace autostereo::daemon {
@@ -22,6 +23,8 @@ struct Report {
     std::uint64_t withoutDepth = 0; ///< presented pairs whose depth frame measures nothing
     std::vector<std::string> stageNames;
     std::vector<Percentiles> stageMs;
+    /// What became of depth pixels -> pixels per frame.
+    std::vector<std::pair<std::string, double>> conditioner;
     Percentiles latencyMs; ///< mid-exposure to present; empty at --speed max
     double seconds = 0;
 

@@ -31,6 +31,15 @@ bool measuresNothing(const devices::Frame& depth) {
                                [](std::uint16_t count) { return count == 0 || count == 0xffff; });
 }
 
+std::vector<std::pair<std::string, double>> perFrame(const gpu::DepthConditioner::Tally& tally) {
+    std::vector<std::pair<std::string, double>> pixels;
+    for (std::size_t i = 0; i < tally.pixels.size() && tally.frames > 0; ++i)
+        pixels.emplace_back(gpu::DepthConditioner::kTallies[i],
+                            static_cast<double>(tally.pixels[i]) /
+                                static_cast<double>(tally.frames));
+    return pixels;
+}
+
 /// One run: frames from the feed through the pipeline to the panel, and the accounts of it.
 class Session {
   public:
@@ -77,6 +86,7 @@ class Session {
 
     [[nodiscard]] const Report& accounts() {
         report_.feed = feed_->counters();
+        report_.conditioner = perFrame(pipeline_.conditioner().tally());
         report_.seconds = std::chrono::duration<double>(clock_.now() - started_).count();
         return report_;
     }

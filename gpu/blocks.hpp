@@ -28,6 +28,14 @@ struct MeshBlock {
 };
 static_assert(sizeof(MeshBlock) == 208);
 
+/// shaders/condition_block.glsl, binding 5.
+struct ConditionBlock {
+    glm::uvec4 valid{0};
+    glm::uvec4 surface{0};
+    glm::uvec4 hold{0};
+};
+static_assert(sizeof(ConditionBlock) == 48);
+
 /// shaders/views_block.glsl, binding 1.
 struct ViewsBlock {
     glm::ivec4 tiles{0};

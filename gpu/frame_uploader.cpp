@@ -38,13 +38,19 @@ void FrameUploader::upload(const devices::RgbdFrame& frame) {
     const devices::FrameMetadata& color = frame.color.metadata();
     if (!depth_.isSized(depth.width, depth.height))
         depth_ = gl::Texture(GL_R16UI, depth.width, depth.height);
+    if (depth.hasAmplitude && !amplitude_.isSized(depth.width, depth.height))
+        amplitude_ = gl::Texture(GL_R16UI, depth.width, depth.height);
     if (!color_.isSized(color.width, color.height)) {
         color_ = gl::Texture(GL_RGBA8, color.width, color.height);
         color_.setFilter(GL_LINEAR);
     }
     ring_[next_].copy(frame.depth.pixels(), depth_, GL_RED_INTEGER, GL_UNSIGNED_SHORT);
     ring_[next_ + 1].copy(frame.color.pixels(), color_, GL_RGBA, GL_UNSIGNED_BYTE);
-    next_ = (next_ + 2) % ring_.size();
+    hasAmplitude_ = depth.hasAmplitude;
+    if (hasAmplitude_)
+        ring_[next_ + 2].copy(std::as_bytes(frame.depth.amplitude()), amplitude_, GL_RED_INTEGER,
+                              GL_UNSIGNED_SHORT);
+    next_ = (next_ + kPlanes) % ring_.size();
 }
 
 } // namespace autostereo::gpu

@@ -8,12 +8,16 @@
 namespace autostereo::gpu {
 
 /// Frames -> textures, through a ring of persistently mapped buffers, so that the copy to the GPU
-/// never waits for the frame before. depth: R16UI counts; color: RGBA8, linear filter. Textures
-/// follow the frames' size. Thread-bound.
+/// never waits for the frame before. depth, amplitude: R16UI counts; color: RGBA8, linear filter.
+/// Textures follow the frames' size. Thread-bound.
 class FrameUploader {
   public:
     void upload(const devices::RgbdFrame& frame);
     [[nodiscard]] const gl::Texture& depth() const { return depth_; }
+    /// None where the newest frame has none.
+    [[nodiscard]] const gl::Texture* amplitude() const {
+        return hasAmplitude_ ? &amplitude_ : nullptr;
+    }
     [[nodiscard]] const gl::Texture& color() const { return color_; }
 
   private:
@@ -37,9 +41,12 @@ class FrameUploader {
     };
 
     static constexpr std::size_t kRing = 3;
-    std::array<Staging, 2 * kRing> ring_;
+    static constexpr std::size_t kPlanes = 3; // depth, amplitude, colour
+    std::array<Staging, kPlanes * kRing> ring_;
     std::size_t next_ = 0;
+    bool hasAmplitude_ = false;
     gl::Texture depth_;
+    gl::Texture amplitude_;
     gl::Texture color_;
 };
 

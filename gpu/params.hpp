@@ -1,6 +1,9 @@
 #pragma once
 
+#include "calib/depth_noise.hpp"
+
 #include <array>
+#include <numbers>
 #include <optional>
 
 namespace autostereo::gpu {
@@ -19,6 +22,34 @@ struct DepthMeshParams {
     /// A triangle whose farthest corner is more than this fraction farther than its nearest one
     /// bridges two surfaces and is cut.
     double cutRatio = 0.05;
+};
+
+/// What DepthConditioner does to a depth picture; each step can be left out.
+struct ConditionParams {
+    /// Refuse counts outside DepthMeshParams' range, and amplitudes outside [weakest, saturated).
+    bool validity = true;
+    int weakestAmplitude = 20;
+    int saturatedAmplitude = 65535;
+
+    /// Take the noise from the amplitude where there is one, else from the range.
+    bool confidence = true;
+    calib::DepthNoise noise;
+
+    /// Remove measurements between two surfaces that belong to neither.
+    bool flyingPixels = true;
+    /// Neighbours belong to one surface if it need not be seen more grazing than this (90 degrees:
+    /// along the ray), or if they are no further apart than so many sigma.
+    double grazingRad = 65 * std::numbers::pi / 180;
+    double edgeSigmas = 2.5;
+
+    /// Keep the value of a pixel where nothing moved.
+    bool hold = true;
+    double gateSigmas = 5;
+    int settleFrames = 16; ///< averaged before a pixel is held
+    int keepFrames = 30;   ///< without a measurement, beside neighbours that are held
+
+    bool fillHoles = true;
+    int holeWidth = 3; ///< pixels; wider holes stay
 };
 
 /// How the measured surfaces become a complete cyclopean picture.
@@ -45,6 +76,7 @@ struct SynthesisParams {
 };
 
 struct PipelineParams {
+    ConditionParams condition;
     DepthMeshParams mesh;
     FusionParams fusion;
     DepthBudgetParams budget;

@@ -17,7 +17,8 @@ std::optional<DisparityView> disparityView(const PipelineParams& params,
 Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
                    const calib::DisplayProfile& display, int panelWidth, int panelHeight)
     : params_(params), rig_(rig), display_(display),
-      panelAspect_(static_cast<double>(panelWidth) / panelHeight), mesh_(params.mesh, rig),
+      panelAspect_(static_cast<double>(panelWidth) / panelHeight),
+      conditioner_(params.condition, params.mesh, rig.depth), mesh_(params.mesh, rig),
       fusion_(params, rig), atlas_(atlasLayout(display, panelWidth, panelHeight)),
       views_(makeViewSynthesis(params.synthesis.method, display, params)),
       disparity_(disparityView(params, display, atlas_.layout().quilt)),
@@ -36,9 +37,11 @@ void Pipeline::timed(std::size_t stage, Pass pass) {
 void Pipeline::renderAtlas(const devices::RgbdFrame& frame) {
     if (!placed_) placeScene(frame.depth);
     timed(0, [&] { uploader_.upload(frame); });
-    timed(1, [&] { mesh_.build(uploader_.depth(), frame.depth.metadata().depthUnitM, geometry_); });
-    timed(2, [&] { fusion_.fuse(mesh_.layer(), uploader_.color(), geometry_); });
-    timed(3, [&] {
+    const double unitM = frame.depth.metadata().depthUnitM;
+    timed(1, [&] { conditioner_.condition(uploader_.depth(), uploader_.amplitude(), unitM); });
+    timed(2, [&] { mesh_.build(conditioner_.depth(), unitM, geometry_); });
+    timed(3, [&] { fusion_.fuse(mesh_.layer(), uploader_.color(), geometry_); });
+    timed(4, [&] {
         views_->render(fusion_.layers(), uploader_.color(), atlas_);
         if (disparity_) disparity_->render(fusion_.layers(), uploader_.color());
     });
@@ -46,7 +49,7 @@ void Pipeline::renderAtlas(const devices::RgbdFrame& frame) {
 
 void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
     renderAtlas(frame);
-    timed(4, [&] {
+    timed(5, [&] {
         interleaver_->render({&atlas_, disparity_ ? &disparity_->texture() : nullptr}, panel);
     });
 }

@@ -2,6 +2,7 @@
 
 #include "calib/display_profile.hpp"
 #include "devices/frame.hpp"
+#include "gpu/depth_conditioner.hpp"
 #include "gpu/depth_mesh.hpp"
 #include "gpu/disparity_view.hpp"
 #include "gpu/frame_uploader.hpp"
@@ -17,12 +18,12 @@
 
 namespace autostereo::gpu {
 
-/// The GPU's stages in their order: upload, mesh, fuse, views, interleave.
+/// The GPU's stages in their order: upload, condition, mesh, fuse, views, interleave.
 /// Owns the passes; the caller owns the context. Thread-bound.
 class Pipeline {
   public:
-    static constexpr std::array<const char*, 5> kStages{"upload", "mesh", "fuse", "views",
-                                                        "interleave"};
+    static constexpr std::array<const char*, 6> kStages{"upload", "condition", "mesh",
+                                                        "fuse",   "views",     "interleave"};
     /// Receives (index into kStages, GPU milliseconds) as results arrive, some frames late.
     using StageTime = std::function<void(std::size_t stage, double milliseconds)>;
 
@@ -37,11 +38,13 @@ class Pipeline {
     void onStageTime(StageTime receiver) { stageTime_ = std::move(receiver); }
 
     [[nodiscard]] const Atlas& atlas() const { return atlas_; }
+    [[nodiscard]] const DepthConditioner& conditioner() const { return conditioner_; }
     [[nodiscard]] const DepthMesh& mesh() const { return mesh_; }
     [[nodiscard]] const Fusion& fusion() const { return fusion_; }
     /// What a display of type 2d_plus_depth gets beside the picture; none on others.
     [[nodiscard]] const std::optional<DisparityView>& disparity() const { return disparity_; }
-    [[nodiscard]] const gl::Texture& depth() const { return uploader_.depth(); }
+    /// Conditioned counts, R16UI.
+    [[nodiscard]] const gl::Texture& depth() const { return conditioner_.depth(); }
     [[nodiscard]] const gl::Texture& color() const { return uploader_.color(); }
     /// Set by the first frame with a measurement (or by params.budget.focusM), then kept, so that
     /// the scene stands still behind the glass.
@@ -60,6 +63,7 @@ class Pipeline {
     SceneGeometry geometry_;
 
     FrameUploader uploader_;
+    DepthConditioner conditioner_;
     DepthMesh mesh_;
     Fusion fusion_;
     Atlas atlas_;

@@ -34,6 +34,13 @@ TEST_F(BlocksGlTest, MeshBlock) {
     EXPECT_EQ(offsetOf(program, "counts"), offsetof(gpu::MeshBlock, counts));
 }
 
+TEST_F(BlocksGlTest, ConditionBlock) {
+    const gpu::gl::Program program({"condition_measure.comp"});
+    EXPECT_EQ(offsetOf(program, "valid"), offsetof(gpu::ConditionBlock, valid));
+    EXPECT_EQ(offsetOf(program, "surface"), offsetof(gpu::ConditionBlock, surface));
+    EXPECT_EQ(offsetOf(program, "hold"), offsetof(gpu::ConditionBlock, hold));
+}
+
 TEST_F(BlocksGlTest, ViewsBlock) {
     const gpu::gl::Program program({"mesh_view.vert", "mesh_view.frag"});
     EXPECT_EQ(offsetOf(program, "tiles"), offsetof(gpu::ViewsBlock, tiles));

@@ -25,7 +25,9 @@ TEST_P(ProgramsGlTest, Links) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ProgramsGlTest,
-    testing::Values(Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_indices.comp"}, {}},
+    testing::Values(Variant{{"condition_measure.comp"}, {}}, Variant{{"condition_flying.comp"}, {}},
+                    Variant{{"condition_hold.comp"}, {}}, Variant{{"condition_holes.comp"}, {}},
+                    Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_indices.comp"}, {}},
                     Variant{{"mesh_cyclopean.vert", "mesh_register.frag"}, {}},
                     Variant{{"edge_band.comp"}, {}}, Variant{{"fill_holes.comp"}, {}},
                     Variant{{"background_claims.comp"}, {}}, Variant{{"background_guide.comp"}, {}},

@@ -54,11 +54,15 @@ inline calib::DisplayProfile smallLensDisplay(int columns, int rows, int tileWid
     return display;
 }
 
+/// The mesh's input, as the depth conditioner left it.
 inline oracle::MeshInput oracleInput(const SimulatedPair& pair, const gpu::Pipeline& pipeline,
                                      const gpu::PipelineParams& params) {
     const devices::FrameMetadata& form = pair.frame.depth.metadata();
-    const auto counts = pair.frame.depth.depth();
-    return {{form.width, form.height, form.depthUnitM, {counts.begin(), counts.end()}},
+    std::vector<std::uint16_t> counts(pair.frame.depth.pixelCount());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(pipeline.conditioner().depth().name(), 0, GL_RED_INTEGER, GL_UNSIGNED_SHORT,
+                      static_cast<GLsizei>(2 * counts.size()), counts.data());
+    return {{form.width, form.height, form.depthUnitM, std::move(counts)},
             pair.rig,
             pipeline.geometry(),
             params.mesh};

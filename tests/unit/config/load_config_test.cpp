@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <numbers>
 #include <string>
 
 using namespace std::chrono_literals;
@@ -15,7 +16,27 @@ namespace {
 
 class LoadConfig : public test::TempFolder {};
 
+void expectSame(const gpu::ConditionParams& a, const gpu::ConditionParams& b) {
+    EXPECT_EQ(a.validity, b.validity);
+    EXPECT_EQ(a.weakestAmplitude, b.weakestAmplitude);
+    EXPECT_EQ(a.saturatedAmplitude, b.saturatedAmplitude);
+    EXPECT_EQ(a.confidence, b.confidence);
+    EXPECT_DOUBLE_EQ(a.noise.floorM, b.noise.floorM);
+    EXPECT_DOUBLE_EQ(a.noise.shotM, b.noise.shotM);
+    EXPECT_DOUBLE_EQ(a.noise.growthPerM, b.noise.growthPerM);
+    EXPECT_EQ(a.flyingPixels, b.flyingPixels);
+    EXPECT_DOUBLE_EQ(a.grazingRad, b.grazingRad);
+    EXPECT_EQ(a.edgeSigmas, b.edgeSigmas);
+    EXPECT_EQ(a.hold, b.hold);
+    EXPECT_EQ(a.gateSigmas, b.gateSigmas);
+    EXPECT_EQ(a.settleFrames, b.settleFrames);
+    EXPECT_EQ(a.keepFrames, b.keepFrames);
+    EXPECT_EQ(a.fillHoles, b.fillHoles);
+    EXPECT_EQ(a.holeWidth, b.holeWidth);
+}
+
 void expectSame(const Config& a, const Config& b) {
+    expectSame(a.pipeline.condition, b.pipeline.condition);
     EXPECT_EQ(a.input, b.input);
     EXPECT_EQ(a.display, b.display);
     EXPECT_EQ(a.rig, b.rig);
@@ -57,6 +78,23 @@ tolerance_ms = 7.5
 [reconnect]
 first_delay_ms = 50
 longest_delay_ms = 60
+[condition]
+validity = false
+weakest_amplitude = 7
+saturated_amplitude = 4000
+confidence = false
+noise_floor_mm = 0.5
+noise_shot_mm = 200
+noise_growth_mm = 2
+flying_pixels = false
+grazing_deg = 80
+edge_sigmas = 4.5
+hold = false
+gate_sigmas = 6
+settle_frames = 8
+keep_frames = 0
+fill_holes = false
+hole_width = 5
 [mesh]
 nearest_m = 0.3
 farthest_m = 4
@@ -79,6 +117,10 @@ level = "trace"
     expected.output = Output::Offscreen;
     expected.sync.tolerance = 7500us;
     expected.reconnect = {50ms, 60ms};
+    const calib::DepthNoise noise{0.0005, 0.2, 0.002};
+    expected.pipeline.condition = {
+        false, 7,     4000, false, noise, false, 80 * std::numbers::pi / 180,
+        4.5,   false, 6,    8,     0,     false, 5};
     expected.pipeline.mesh = {0.3, 4, 0.1};
     expected.pipeline.budget = {1.25, 0.5};
     expected.pipeline.synthesis = {gpu::Method::Multipass, gpu::TileFilter::Nearest};
@@ -113,6 +155,12 @@ constexpr Malformed kMalformed[] = {
     {"[mesh]\nnearest_m = 5\nfarthest_m = 5\n",
      "x.toml:3:14: mesh.farthest_m: is not farther than nearest_m (allowed nearest_m "
      "to 100)"},
+    {"[condition]\nweakest_amplitude = 300\nsaturated_amplitude = 300\n",
+     "x.toml:3:23: condition.saturated_amplitude: is not more than weakest_amplitude (allowed "
+     "weakest_amplitude to 65535)"},
+    {"[condition]\nhole_width = 9\n",
+     "x.toml:2:14: condition.hole_width: 9 is out of range (allowed 0 to 8)"},
+    {"[condition]\nhold = 1\n", "x.toml:2:8: condition.hold: is an integer, wanted true or false"},
     {"[reconnect]\nfirst_delay_ms = 9000\n",
      "x.toml:1:1: reconnect.longest_delay_ms: is less than first_delay_ms (allowed "
      "first_delay_ms to 600000)"},

@@ -29,6 +29,7 @@ Report exampleReport() {
     report.stageMs.resize(2);
     for (int i = 0; i <= 100; ++i)
         report.stageMs[0].add(i);
+    report.conditioner = {{"held", 90000.5}, {"flying", 300}};
     report.latencyMs.add(42);
     report.seconds = 4;
     return report;
@@ -77,6 +78,7 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
         "frames_dropped": 7,
         "frames_without_depth": 6,
         "skipped": {"hidden": 2, "unchanged": 3},
+        "conditioner": {"held": 90000.5, "flying": 300.0},
         "stages": {
             "upload": {"p50_ms": 50.0, "p99_ms": 99.0},
             "mesh": {"p50_ms": null, "p99_ms": null}
