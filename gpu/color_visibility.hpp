@@ -1,8 +1,6 @@
 #pragma once
 
-#include "gpu/gl/program.hpp"
-#include "gpu/layer_drawer.hpp"
-#include "gpu/mesh_layer.hpp"
+#include "gpu/registered_depth.hpp"
 
 namespace autostereo::gpu {
 
@@ -12,17 +10,16 @@ namespace autostereo::gpu {
 class ColorVisibility {
   public:
     /// Throws GlError.
-    explicit ColorVisibility(const DepthMeshParams& params);
-    /// Marks hidden nodes of `scene` as missing. Its indices must be built, and be built again.
-    void hide(const MeshLayer& scene);
+    ColorVisibility();
+    /// Marks hidden nodes of `scene` as missing; `counts`: those that it was made of.
+    void hide(const MeshLayer& scene, const gl::Texture& counts);
     /// R8UI per node of the scene: 1 where its colour is surely its own, away from nearer edges.
     [[nodiscard]] const gl::Texture& clean() const { return clean_; }
 
   private:
-    LayerDrawer drawer_;
-    gl::Program register_, hide_;
-    gl::Texture registered_, depth_, clean_; ///< of the depth grid's size
-    gl::Framebuffer framebuffer_;
+    RegisteredDepth registered_; ///< at the depth grid's size
+    gl::Program drawMesh_, hide_;
+    gl::Texture clean_;
 };
 
 } // namespace autostereo::gpu

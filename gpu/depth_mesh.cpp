@@ -1,6 +1,7 @@
 #include "gpu/depth_mesh.hpp"
 
 #include "gpu/gl/dispatch.hpp"
+#include "gpu/mesh_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,22 +12,8 @@ namespace autostereo::gpu {
 
 namespace {
 
-constexpr float kNoRay = 1e30F; // shaders/mesh_block.glsl tests for less
-
 std::vector<std::string> backgroundDefine() {
     return {"BACKGROUND " + std::to_string(DepthMesh::kBackgroundStride)};
-}
-
-gl::Texture makeRays(const calib::CameraModel& camera) {
-    const int width = camera.intrinsics.width, height = camera.intrinsics.height;
-    std::vector<glm::vec2> rays;
-    rays.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            rays.emplace_back(camera.unproject({x, y}).value_or(glm::dvec2(kNoRay)));
-    gl::Texture texture(GL_RG32F, width, height);
-    glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RG, GL_FLOAT, rays.data());
-    return texture;
 }
 
 MeshLayer makeLayer(int width, int height) {
@@ -43,8 +30,7 @@ MeshLayer makeLayer(int width, int height) {
 } // namespace
 
 DepthMesh::DepthMesh(const DepthMeshParams& params, const calib::SensorRig& rig)
-    : params_(params), rig_(rig), visibility_(params),
-      reduce_({"background_reduce.comp"}, backgroundDefine()),
+    : params_(params), rig_(rig), reduce_({"background_reduce.comp"}, backgroundDefine()),
       spread_({"background_spread.comp"}, backgroundDefine()), scenePoints_({"mesh_points.comp"}),
       sceneIndices_({"mesh_indices.comp"}),
       backgroundPoints_({"mesh_points.comp"}, backgroundDefine()),
@@ -55,12 +41,11 @@ void DepthMesh::build(const gl::Texture& depth, double depthUnitM, const SceneGe
     if (!scene.points.isSized(depth.width(), depth.height())) resize(depth.width(), depth.height());
     setBlock(depthUnitM, geometry);
     uniforms_.bind(0, block_);
-    buildPoints(scene, depth, scenePoints_);
-    buildIndices(scene, depth, sceneIndices_);
-    visibility_.hide(scene);
+    buildNodes(scenePoints_, scene, rays_, depth);
+    visibility_.hide(scene, depth);
     buildIndices(scene, depth, sceneIndices_);
     buildSamples(depth);
-    buildPoints(background, samples_, backgroundPoints_);
+    buildNodes(backgroundPoints_, background, rays_, samples_);
     buildIndices(background, samples_, backgroundIndices_);
 }
 
@@ -76,21 +61,11 @@ void DepthMesh::resize(int width, int height) {
 
 void DepthMesh::setBlock(double depthUnitM, const SceneGeometry& geometry) {
     const auto& [framing, law] = geometry;
-    const calib::Intrinsics& pinhole = rig_.color.intrinsics;
-    const calib::Distortion& bend = rig_.color.distortion;
-    const CountRange range = countRange(params_, depthUnitM);
-    glm::dmat4 pose(rig_.colorFromDepth.rotation);
-    pose[3] = glm::dvec4(rig_.colorFromDepth.translation, 1);
-    block_.colorFromDepth = pose;
-    block_.colorPinhole = glm::dvec4(pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy);
-    // Squared, it must stay finite in float.
-    const double radius = std::min(bend.metricRadius, 1e9);
-    block_.colorSize = glm::dvec4(pinhole.width, pinhole.height, radius * radius, 0);
-    block_.colorRadial = glm::dvec4(bend.k1, bend.k2, bend.k3, bend.p1);
-    block_.colorRational = glm::dvec4(bend.k4, bend.k5, bend.k6, bend.p2);
+    setCameras(block_, rig_, params_, depthUnitM);
     block_.framing = glm::dvec4(framing.left, framing.bottom, framing.width, framing.height);
     block_.law = glm::dvec4(law.focusM, law.scale, law.viewerDistanceM, law.fanHalfWidth);
-    block_.budget = glm::dvec4(law.farthest, law.nearest, depthUnitM, 0);
+    block_.budget.x = static_cast<float>(law.farthest);
+    block_.budget.y = static_cast<float>(law.nearest);
 
     // The widest gap that a view can open, in background nodes: the whole budget, in panel widths,
     // over what one node covers of the panel.
@@ -99,9 +74,7 @@ void DepthMesh::setBlock(double depthUnitM, const SceneGeometry& geometry) {
     const double reach =
         std::ceil((law.nearest - law.farthest) * pixelsPerPanel / kBackgroundStride) + 1;
     constexpr double kLongestReach = 256; // bounds the shader's loop whatever the numbers say
-    block_.counts = glm::uvec4(range.nearest, range.farthest,
-                               static_cast<unsigned>(std::lround(params_.cutRatio * 1000)),
-                               static_cast<unsigned>(std::clamp(reach, 1.0, kLongestReach)));
+    block_.counts.w = static_cast<unsigned>(std::clamp(reach, 1.0, kLongestReach));
 }
 
 void DepthMesh::buildSamples(const gl::Texture& depth) {
@@ -114,16 +87,6 @@ void DepthMesh::buildSamples(const gl::Texture& depth) {
     glBindTextureUnit(0, reduced_.name());
     glBindImageTexture(0, samples_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16UI);
     gl::dispatch(spread_, columns, rows);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-}
-
-void DepthMesh::buildPoints(const MeshLayer& layer, const gl::Texture& nodes,
-                            const gl::Program& points) {
-    glBindTextureUnit(0, rays_.name());
-    glBindTextureUnit(1, nodes.name());
-    glBindImageTexture(0, layer.points.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-    glBindImageTexture(1, layer.sources.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
-    gl::dispatch(points, layer.points.width(), layer.points.height());
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

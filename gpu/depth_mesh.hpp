@@ -35,7 +35,6 @@ class DepthMesh {
     void resize(int width, int height);
     void setBlock(double depthUnitM, const SceneGeometry& geometry);
     void buildSamples(const gl::Texture& depth);
-    void buildPoints(const MeshLayer& layer, const gl::Texture& nodes, const gl::Program& points);
     static void buildIndices(const MeshLayer& layer, const gl::Texture& nodes,
                              const gl::Program& indices);
 

@@ -14,10 +14,6 @@ void LayerDrawer::draw(const MeshLayers& layers, const gl::Texture& color, glm::
     drawLayer(layers.background, tiles, {0.5F, 0.5F}, instances);
 }
 
-void LayerDrawer::drawScene(const MeshLayer& scene) {
-    drawLayer(scene, {1, 1, 0, 0}, {0.0F, 1.0F}, 1);
-}
-
 void LayerDrawer::clear(GLuint framebuffer, const std::array<double, 3>& color) {
     const std::array<float, 4> rgba{static_cast<float>(color[0]), static_cast<float>(color[1]),
                                     static_cast<float>(color[2]), 1.0F};

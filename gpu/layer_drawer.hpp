@@ -17,8 +17,6 @@ class LayerDrawer {
 
     /// Scene and background. `tiles`: see shaders/views_block.glsl (its .w is set here).
     void draw(const MeshLayers& layers, const gl::Texture& color, glm::ivec4 tiles, int instances);
-    /// Measured surfaces only.
-    void drawScene(const MeshLayer& scene);
 
     /// Binds and clears a target for drawing layers into.
     static void clear(GLuint framebuffer, const std::array<double, 3>& color);

@@ -21,6 +21,12 @@ struct DepthMeshParams {
     double cutRatio = 0.05;
 };
 
+struct RegistrationParams {
+    /// At the mesh's border, and at cuts for the farther surface, measured depth goes on for so
+    /// many depth pixels beyond the last one's own square, never over anything measured.
+    int extrudePx = 0;
+};
+
 struct DepthBudgetParams {
     /// Camera depth shown in the panel's plane; none: median depth of the picture's central third.
     std::optional<double> focusM;
@@ -36,6 +42,7 @@ struct SynthesisParams {
 
 struct PipelineParams {
     DepthMeshParams mesh;
+    RegistrationParams registration;
     DepthBudgetParams budget;
     SynthesisParams synthesis;
     std::array<double, 3> clearColor{0, 0, 0}; ///< gamma-encoded, 0..1

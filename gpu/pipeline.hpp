@@ -39,6 +39,8 @@ class Pipeline {
     /// What a display of type 2d_plus_depth gets beside the picture; none on others.
     [[nodiscard]] const std::optional<DisparityView>& disparity() const { return disparity_; }
     [[nodiscard]] const gl::Texture& color() const { return uploader_.color(); }
+    /// R16UI counts as they came.
+    [[nodiscard]] const gl::Texture& depth() const { return uploader_.depth(); }
     /// Set by the first frame with a measurement (or by params.budget.focusM), then kept, so that
     /// the scene stands still behind the glass.
     [[nodiscard]] const SceneGeometry& geometry() const { return geometry_; }

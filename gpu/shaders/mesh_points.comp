@@ -3,6 +3,7 @@
 // its disparity and depth, and where the colour image sees it. z = 0: no node.
 #include "mesh_block.glsl"
 #include "camera.glsl"
+#include "color_camera.glsl"
 #include "disparity.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -16,11 +17,8 @@ layout(binding = 1) uniform usampler2D depthCounts;
 layout(rgba32f, binding = 0) uniform writeonly image2D points; // u, v, disparity, z
 layout(rg32f, binding = 1) uniform writeonly image2D sources;  // texture coordinate
 
-vec3 inColorCamera(ivec2 pixel, float z) {
-    return (colorFromDepth * vec4(vec3(texelFetch(rays, pixel, 0).xy, 1.0) * z, 1.0)).xyz;
-}
-
-bool hasRay(ivec2 pixel) { return texelFetch(rays, pixel, 0).x < kNoRay; }
+vec2 rayOf(ivec2 pixel) { return texelFetch(rays, pixel, 0).xy; }
+bool hasRay(ivec2 pixel) { return rayOf(pixel).x < kNoRay; }
 
 void main() {
     ivec2 node = ivec2(gl_GlobalInvocationID.xy);
@@ -38,9 +36,9 @@ void main() {
     bool usable = isMeasured(count) && hasRay(pixel);
 #endif
     float z = float(count) * budget.z;
-    vec3 point = usable ? inColorCamera(pixel, z) : vec3(0.0);
-    vec3 seen = usable ? inColorCamera(source, z) : vec3(0.0);
-    usable = point.z > 0.0 && seen.z > 0.0 && dot(seen.xy, seen.xy) <= colorSize.z * seen.z * seen.z;
+    vec3 point = usable ? inColorCamera(rayOf(pixel), z) : vec3(0.0);
+    vec3 seen = usable ? inColorCamera(rayOf(source), z) : vec3(0.0);
+    usable = point.z > 0.0 && isSeen(seen);
     if (!usable) {
         imageStore(points, node, vec4(0.0));
         imageStore(sources, node, vec4(0.0));
@@ -48,8 +46,6 @@ void main() {
     }
     vec2 ray = point.xy / point.z;
     vec2 uv = vec2(ray.x - framing.x, framing.y - ray.y) / framing.zw;
-    vec2 pixelSeen = distortRay(seen.xy / seen.z, colorRadial, colorRational) * colorPinhole.xy +
-                     colorPinhole.zw;
     imageStore(points, node, vec4(uv, disparityAt(point.z, law, budget.xy), point.z));
-    imageStore(sources, node, vec4(textureFromPixel(pixelSeen, colorSize.xy), 0.0, 0.0));
+    imageStore(sources, node, vec4(sourceOf(seen), 0.0, 0.0));
 }
