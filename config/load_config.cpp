@@ -38,6 +38,10 @@ void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
         mesh.reject("farthest_m", "is not farther than nearest_m (allowed nearest_m to 100)");
     params.mesh.cutRatio = mesh.number("cut_ratio", {0.005, 0.5}, params.mesh.cutRatio);
 
+    auto registration = root.table("registration");
+    params.registration.extrudePx =
+        registration.integer("extrude_px", {0, 16}, params.registration.extrudePx);
+
     auto depth = root.table("depth");
     params.budget.focusM = depth.numberOrAuto("focus_m", {0.05, 100}, params.budget.focusM);
     params.budget.depthScale = depth.number("scale", {0, 10}, params.budget.depthScale);

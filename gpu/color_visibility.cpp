@@ -2,6 +2,8 @@
 
 #include "gpu/gl/dispatch.hpp"
 
+#include <array>
+
 namespace autostereo::gpu {
 
 ColorVisibility::ColorVisibility()
@@ -11,7 +13,8 @@ void ColorVisibility::hide(const MeshLayer& scene, const gl::Texture& counts) {
     const int width = scene.points.width(), height = scene.points.height();
     if (!clean_.isSized(width, height)) clean_ = gl::Texture(GL_R8UI, width, height);
     registered_.clear(width, height);
-    registered_.drawMesh(drawMesh_, {scene, counts});
+    const std::array<const gl::Texture*, 3> grid{&scene.points, &scene.sources, &counts};
+    registered_.drawMesh(drawMesh_, grid);
     registered_.resolve();
 
     glBindTextureUnit(0, registered_.metres().name());

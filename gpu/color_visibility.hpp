@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/mesh_layer.hpp"
 #include "gpu/registered_depth.hpp"
 
 namespace autostereo::gpu {

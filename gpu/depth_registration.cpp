@@ -3,6 +3,8 @@
 #include "gpu/mesh_nodes.hpp"
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace autostereo::gpu {
 
@@ -11,14 +13,19 @@ namespace {
 /// Head of shaders/cut_triangles.glsl: groups to dispatch, and how many there are.
 constexpr std::array<GLuint, 4> kNoCuts{0, 1, 1, 0};
 
+std::vector<std::string> cutDefines(const RegistrationParams& params) {
+    std::vector<std::string> defines{"CUTS"};
+    if (params.extrudePx > 0) defines.emplace_back("EXTRUDE");
+    return defines;
+}
+
 } // namespace
 
 DepthRegistration::DepthRegistration(const DepthMeshParams& mesh, const RegistrationParams& params,
                                      const calib::SensorRig& rig)
-    : mesh_(mesh), params_(params), rig_(rig), points_({"mesh_points.comp"}),
-      drawMesh_({"register_mesh.comp"}, {"CUTS"}), drawShares_({"register_cuts.comp"}),
-      drawExtruded_({"register_cuts.comp"}, {"EXTRUDE"}) {
-    block_.framing = {0, 0, 1, 1}; // no panel here
+    : mesh_(mesh), params_(params), rig_(rig), buildPlaces_({"mesh_points.comp"}, {"PLACES"}),
+      drawMesh_({"register_mesh.comp"}, {"CUTS"}),
+      drawCuts_({"register_cuts.comp"}, cutDefines(params)) {
     block_.counts.w = static_cast<GLuint>(params.extrudePx);
 }
 
@@ -29,15 +36,15 @@ void DepthRegistration::render(const gl::Texture& depth, double depthUnitM, int 
                        frame(), frame(), 0, depth.width(), depth.height(), 1);
     setCameras(block_, rig_, mesh_, depthUnitM);
     uniforms_.bind(0, block_);
-    buildNodes(points_, nodes_, rays_, counts_);
-    const RegisteredDepth::Grid grid{nodes_, counts_, &rays_};
+    buildPlaces(buildPlaces_, places_, rays_, counts_);
+    const std::array<const gl::Texture*, 2> grid{&places_, &rays_};
     registered_.clear(width, height);
     glNamedBufferSubData(cuts_.name(), 0, sizeof kNoCuts, kNoCuts.data());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, cuts_.name());
     registered_.drawMesh(drawMesh_, grid);
-    glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-    registered_.drawCuts(drawShares_, grid, cuts_);
-    if (params_.extrudePx > 0) registered_.drawCuts(drawExtruded_, grid, cuts_);
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT);
+    registered_.drawCuts(drawCuts_, grid, cuts_);
     registered_.resolve();
 }
 
@@ -54,8 +61,7 @@ void DepthRegistration::resize(int width, int height) {
                            static_cast<std::size_t>(rays_.height() - 1);
     cuts_ = gl::makeBuffer(sizeof kNoCuts + triangles * sizeof(GLuint), nullptr,
                            GL_DYNAMIC_STORAGE_BIT);
-    nodes_.points = gl::Texture(GL_RGBA32F, rays_.width(), rays_.height());
-    nodes_.sources = gl::Texture(GL_RG32F, rays_.width(), rays_.height());
+    places_ = gl::Texture(GL_RGBA32F, rays_.width(), rays_.height());
 }
 
 } // namespace autostereo::gpu

@@ -35,11 +35,10 @@ class DepthRegistration {
     calib::SensorRig rig_;
     MeshBlock block_;
     gl::UniformBuffer<MeshBlock> uniforms_;
-    gl::Program points_, drawMesh_, drawShares_, drawExtruded_;
+    gl::Program buildPlaces_, drawMesh_, drawCuts_;
     RegisteredDepth registered_;
-    gl::Texture counts_, rays_; ///< frame included
-    MeshLayer nodes_;           ///< without triangles
-    gl::Buffer cuts_;           ///< shaders/cut_triangles.glsl
+    gl::Texture counts_, rays_, places_; ///< frame included
+    gl::Buffer cuts_;                    ///< shaders/cut_triangles.glsl
 };
 
 } // namespace autostereo::gpu

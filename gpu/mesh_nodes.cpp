@@ -52,4 +52,13 @@ void buildNodes(const gl::Program& program, const MeshLayer& layer, const gl::Te
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
+void buildPlaces(const gl::Program& program, const gl::Texture& places, const gl::Texture& rays,
+                 const gl::Texture& counts) {
+    glBindTextureUnit(0, rays.name());
+    glBindTextureUnit(1, counts.name());
+    glBindImageTexture(0, places.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    gl::dispatch(program, places.width(), places.height());
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
 } // namespace autostereo::gpu

@@ -20,5 +20,8 @@ void setCameras(MeshBlock& block, const calib::SensorRig& rig, const DepthMeshPa
 /// or samples of the background, as large as the layer. The mesh block is bound by the caller.
 void buildNodes(const gl::Program& program, const MeshLayer& layer, const gl::Texture& rays,
                 const gl::Texture& nodes);
+/// The same for the registration: RGBA32F texture coordinate in the colour image, z, count.
+void buildPlaces(const gl::Program& program, const gl::Texture& places, const gl::Texture& rays,
+                 const gl::Texture& counts);
 
 } // namespace autostereo::gpu

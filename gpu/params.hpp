@@ -24,7 +24,7 @@ struct DepthMeshParams {
 struct RegistrationParams {
     /// At the mesh's border, and at cuts for the farther surface, measured depth goes on for so
     /// many depth pixels beyond the last one's own square, never over anything measured.
-    int extrudePx = 0;
+    int extrudePx = 1;
 };
 
 struct DepthBudgetParams {

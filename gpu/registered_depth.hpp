@@ -1,7 +1,9 @@
 #pragma once
 
+#include "gpu/gl/objects.hpp"
 #include "gpu/gl/program.hpp"
-#include "gpu/mesh_layer.hpp"
+
+#include <span>
 
 namespace autostereo::gpu {
 
@@ -11,32 +13,31 @@ namespace autostereo::gpu {
 /// The mesh block is bound by the caller. Thread-bound.
 class RegisteredDepth {
   public:
-    /// What can be drawn; all as large as each other.
-    struct Grid {
-        const MeshLayer& nodes;
-        const gl::Texture& counts;         ///< R16UI
-        const gl::Texture* rays = nullptr; ///< RG32F; only passes that draw between nodes need it
-    };
+    /// Textures of a depth grid, all of its size, in the units that shaders/registered_nodes.glsl
+    /// says.
+    using Grid = std::span<const gl::Texture* const>;
 
     RegisteredDepth();
 
     /// Starts a picture of that size.
     void clear(int width, int height);
     /// `pass`: a variant of register_mesh.comp.
-    void drawMesh(const gl::Program& pass, const Grid& grid);
+    void drawMesh(const gl::Program& pass, Grid grid);
     /// `pass`: a variant of register_cuts.comp; `cuts`: the list that register_mesh.comp made.
-    void drawCuts(const gl::Program& pass, const Grid& grid, const gl::Buffer& cuts);
+    void drawCuts(const gl::Program& pass, Grid grid, const gl::Buffer& cuts);
     /// Finishes the picture.
     void resolve();
     /// R32F, metres, 0: none; top row first.
     [[nodiscard]] const gl::Texture& metres() const { return metres_; }
 
   private:
-    void use(const gl::Program& pass, const Grid& grid) const;
+    void use(const gl::Program& pass, Grid grid) const;
 
     gl::Program resolve_;
     gl::Texture keys_; ///< R32UI, shaders/registered_keys.glsl
     gl::Texture metres_;
+    gl::Framebuffer framebuffer_; ///< of metres_
+    gl::VertexArray vertexArray_; ///< no attributes
 };
 
 } // namespace autostereo::gpu

@@ -1,8 +1,8 @@
 #version 450 core
 // What stands in place of cut triangles. A depth pixel measures a square, not a point: a triangle
 // is shared out among its measured corners, each at its own depth as far as the pixels' common
-// border. EXTRUDE: the farthest corner's square, larger on every side by so many pixels, behind all
-// that was measured.
+// border. EXTRUDE: at the mesh's border, and at cuts that of the farther surface, a corner's depth
+// goes on for so many pixels more, behind all that was measured.
 #include "mesh_block.glsl"
 #include "camera.glsl"
 #include "color_camera.glsl"
@@ -11,42 +11,48 @@
 #include "registered_nodes.glsl"
 #include "cut_triangles.glsl"
 
+layout(local_size_x = 64, local_size_y = 3) in; // a corner each
+
 #ifdef EXTRUDE
-layout(local_size_y = 64) in;
-
-// A corner of the square: the outer edge of the last pixel is half way between it and the next.
-vec3 outerCorner(Corner owner, int x, int y) {
-    ivec2 last = ivec2(x, y) * int(counts.w);
-    return halfWay(owner, owner.node + last, owner.node + last + ivec2(x, y));
-}
-
-void drawPart(Corner corners[3]) {
-    Corner owner = corners[0];
-    if (corners[1].count > owner.count) owner = corners[1];
-    if (corners[2].count > owner.count) owner = corners[2];
-    cover(outerCorner(owner, -1, -1), outerCorner(owner, 1, -1), outerCorner(owner, -1, 1),
-          outerCorner(owner, 1, 1), false);
-}
-#else
-layout(local_size_x = 3, local_size_y = 64) in; // a corner each
-
-// A square at the right angle, else a triangle.
-void drawPart(Corner corners[3]) {
-    uint which = gl_LocalInvocationID.x;
-    Corner owner = corners[which];
-    if (owner.count == 0u) return;
-    ivec2 next = corners[(which + 1u) % 3u].node, other = corners[(which + 2u) % 3u].node;
-    vec3 a = halfWay(owner, owner.node, next), b = halfWay(owner, owner.node, other);
-    cover(owner.place, a, b, which == 0u ? halfWay(owner, next, other) : b, true);
+// From the corner at the right angle away from its own square. Every node at a border has one or
+// two such triangles, whose other corners were not measured or are cut off, being nearer.
+void goOn(Corner owner, Corner a, Corner b) {
+    uint nearest = min(a.count, b.count);
+    if (nearest >= owner.count || (nearest > 0u && !isCut(nearest, owner.count))) return;
+    ivec2 away = a.node + b.node - 2 * owner.node; // (1, 1) or (-1, -1)
+    ivec2 last = away * int(counts.w), next = last + away; // its outer edge is half way
+    ivec2 at = owner.node, x = ivec2(1, 0), y = ivec2(0, 1);
+    vec3 alongX = halfWay(owner, rayAt(at + last * x, at), rayAt(at + next * x, at));
+    vec3 alongY = halfWay(owner, rayAt(at + last * y, at), rayAt(at + next * y, at));
+    vec3 both = halfWay(owner, rayAt(at + last, at), rayAt(at + next, at));
+    cover(owner.place, alongX, alongY, both, false);
 }
 #endif
 
+// The corner's share: a square at the right angle, else a triangle.
+void drawPart(Corner owner, Corner a, Corner b, bool isRight) {
+    vec2 own = rayAt(owner.node, owner.node);
+    vec2 rayA = rayAt(a.node, owner.node), rayB = rayAt(b.node, owner.node);
+    vec3 toA = halfWay(owner, own, rayA), toB = halfWay(owner, own, rayB);
+    cover(owner.place, toA, toB, isRight ? halfWay(owner, rayA, rayB) : toB, true);
+#ifdef EXTRUDE
+    // The edge between two surfaces lies anywhere in a cut triangle: either may reach the other.
+    cover(owner.place, halfWay(owner, rayA, rayA), halfWay(owner, rayB, rayB), owner.place, false);
+    if (isRight) goOn(owner, a, b);
+#endif
+}
+
 void main() {
-    uint at = gl_WorkGroupID.x * kCutsPerGroup + gl_LocalInvocationID.y;
+    uint at = gl_WorkGroupID.x * kCutsPerGroup + gl_LocalInvocationID.x;
     if (at >= cuts) return;
-    int width = textureSize(points, 0).x - 1;
+    int width = textureSize(places, 0).x - 1;
     int cell = int(cutTriangles[at] / 2u);
     ivec2 first = ivec2(cell % width, cell / width);
-    Corner right = cornerAt(first + int(cutTriangles[at] & 1u)); // at the right angle
-    drawPart(Corner[3](right, cornerAt(first + ivec2(0, 1)), cornerAt(first + ivec2(1, 0))));
+    ivec2 nodes[3] = ivec2[3](first + int(cutTriangles[at] & 1u), // at the right angle
+                              first + ivec2(0, 1), first + ivec2(1, 0));
+    uint which = gl_LocalInvocationID.y;
+    Corner owner = cornerAt(nodes[which]);
+    if (owner.count > 0u)
+        drawPart(owner, cornerAt(nodes[(which + 1u) % 3u]), cornerAt(nodes[(which + 2u) % 3u]),
+                 which == 0u);
 }

@@ -23,7 +23,7 @@ void listCut(uint number) {
 
 void main() {
     ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 cells = textureSize(points, 0) - 1;
+    ivec2 cells = textureSize(NODES, 0) - 1;
     if (any(greaterThanEqual(cell, cells))) return;
     Corner first = cornerAt(cell), across = cornerAt(cell + 1);
     Corner right = cornerAt(cell + ivec2(1, 0)), below = cornerAt(cell + ivec2(0, 1));

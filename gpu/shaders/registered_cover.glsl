@@ -4,9 +4,10 @@ layout(r32ui, binding = 0) uniform uimage2D keys;
 
 struct Triangle {
     vec2 origin;
-    vec2 toB, toC;  // weights of corners b and c, per pixel from the origin
-    vec3 inverseZ;  // at the origin, and what b and c add to it
-    vec3 slack;     // least weights inside
+    vec2 toB, toC; // weights of corners b and c, per pixel from the origin
+    vec3 inverseZ; // at the origin, and what b and c add to it
+    vec2 limits;   // least and most 1/z: of slivers, a thousandth of a pixel beside is far away
+    vec3 slack;    // least weights inside
 };
 
 float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
@@ -19,10 +20,12 @@ Triangle triangleOf(vec3 a, vec3 b, vec3 c) {
     result.toB = vec2(ac.y, -ac.x) / area;
     result.toC = vec2(-ab.y, ab.x) / area;
     result.inverseZ = vec3(a.z, b.z - a.z, c.z - a.z);
+    result.limits = vec2(min(a.z, min(b.z, c.z)), max(a.z, max(b.z, c.z)));
     // A pixel on a common edge belongs to both triangles, whatever the rounding says.
     const float kEdge = 0.001; // pixels
-    result.slack = vec3(-kEdge * (length(result.toB + result.toC)), -kEdge * length(result.toB),
-                        -kEdge * length(result.toC));
+    vec2 b1 = abs(result.toB), c1 = abs(result.toC);
+    vec2 slack = -kEdge * vec2(b1.x + b1.y, c1.x + c1.y);
+    result.slack = vec3(slack.x + slack.y, slack);
     if (area == 0.0) result.slack = vec3(2.0); // nothing is inside
     return result;
 }
@@ -33,7 +36,8 @@ float inverseZAt(Triangle triangle, vec2 pixel) {
     vec2 weights = vec2(dot(triangle.toB, at), dot(triangle.toC, at));
     bool inside = 1.0 - weights.x - weights.y >= triangle.slack.x &&
                   all(greaterThanEqual(weights, triangle.slack.yz));
-    return inside ? triangle.inverseZ.x + dot(weights, triangle.inverseZ.yz) : 0.0;
+    float inverseZ = triangle.inverseZ.x + dot(weights, triangle.inverseZ.yz);
+    return inside ? clamp(inverseZ, triangle.limits.x, triangle.limits.y) : 0.0;
 }
 
 // First and last pixel whose centre lies in a box.

@@ -1,8 +1,14 @@
 // Nodes of the depth grid for the passes that draw it at the colour camera.
-layout(binding = 0) uniform sampler2D points;
+#ifdef CUTS
+layout(binding = 0) uniform sampler2D places; // as mesh_points.comp has them
+layout(binding = 1) uniform sampler2D rays;
+#define NODES places
+#else
+layout(binding = 0) uniform sampler2D points; // a MeshLayer's, and its counts
 layout(binding = 1) uniform sampler2D sources;
 layout(binding = 2) uniform usampler2D depthCounts;
-layout(binding = 3) uniform sampler2D rays;
+#define NODES points
+#endif
 
 struct Corner {
     vec3 place; // pixels of the result, 1/z
@@ -11,11 +17,16 @@ struct Corner {
 };
 
 Corner cornerAt(ivec2 node) {
-    float z = texelFetch(points, node, 0).w;
+#ifdef CUTS
+    vec4 place = texelFetch(places, node, 0);
+#else
+    vec4 place = vec4(texelFetch(sources, node, 0).xy, texelFetch(points, node, 0).w,
+                      float(texelFetch(depthCounts, node, 0).x));
+#endif
     // So near to the colour camera, one cell would fill the picture.
-    bool drawable = z > 0.1 * float(counts.x) * budget.z;
-    return Corner(vec3(texelFetch(sources, node, 0).xy * vec2(imageSize(keys)), 1.0 / z),
-                  drawable ? texelFetch(depthCounts, node, 0).x : 0u, node);
+    bool drawable = place.z > 0.1 * float(counts.x) * budget.z;
+    return Corner(vec3(place.xy * vec2(imageSize(keys)), 1.0 / place.z),
+                  drawable ? uint(place.w) : 0u, node);
 }
 
 bool isDrawn(Corner a, Corner b, Corner c) {
@@ -23,10 +34,18 @@ bool isDrawn(Corner a, Corner b, Corner c) {
     return nearest > 0u && !isCut(nearest, max(a.count, max(b.count, c.count)));
 }
 
-// Where the colour camera sees `owner`'s surface half way between two nodes.
-vec3 halfWay(Corner owner, ivec2 a, ivec2 b) {
-    vec2 rayA = texelFetch(rays, a, 0).xy, rayB = texelFetch(rays, b, 0).xy;
+#ifdef CUTS
+// Ray of a node; where the lens has none there, straight on from that of the mirrored one.
+vec2 rayAt(ivec2 node, ivec2 owner) {
+    vec2 ray = texelFetch(rays, node, 0).xy, own = texelFetch(rays, owner, 0).xy;
+    vec2 mirrored = texelFetch(rays, 2 * owner - node, 0).xy;
+    return ray.x < kNoRay ? ray : mirrored.x < kNoRay ? 2.0 * own - mirrored : own;
+}
+
+// Where the colour camera sees `owner`'s surface half way between two nodes' rays.
+vec3 halfWay(Corner owner, vec2 rayA, vec2 rayB) {
     vec3 point = inColorCamera(0.5 * (rayA + rayB), float(owner.count) * budget.z);
-    if (max(rayA.x, rayB.x) >= kNoRay || !isSeen(point)) return owner.place;
+    if (!isSeen(point)) return owner.place;
     return vec3(sourceOf(point) * vec2(imageSize(keys)), 1.0 / point.z);
 }
+#endif

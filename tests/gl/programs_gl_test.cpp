@@ -27,18 +27,21 @@ const std::vector<std::string> kBackground{"BACKGROUND 4"};
 
 INSTANTIATE_TEST_SUITE_P(
     All, ProgramsGlTest,
-    testing::Values(
-        Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_points.comp"}, kBackground},
-        Variant{{"mesh_indices.comp"}, {}}, Variant{{"mesh_indices.comp"}, kBackground},
-        Variant{{"background_reduce.comp"}, kBackground},
-        Variant{{"background_spread.comp"}, kBackground}, Variant{{"color_visibility.comp"}, {}},
-        Variant{{"mesh_view.vert", "mesh_view.frag"}, {}},
-        Variant{{"mesh_view.vert", "mesh_view.frag"}, {"TILED"}},
-        Variant{{"mesh_eye.vert", "mesh_view.frag"}, {}},
-        Variant{{"mesh_camera.vert", "mesh_view.frag"}, {}}, Variant{{"register_mesh.comp"}, {}},
-        Variant{{"register_mesh.comp"}, {"CUTS"}}, Variant{{"register_cuts.comp"}, {}},
-        Variant{{"register_cuts.comp"}, {"EXTRUDE"}}, Variant{{"register_metres.comp"}, {}},
-        Variant{{"mesh_view.vert", "mesh_disparity.frag"}, {"DISPARITY"}}));
+    testing::Values(Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_points.comp"}, kBackground},
+                    Variant{{"mesh_indices.comp"}, {}}, Variant{{"mesh_indices.comp"}, kBackground},
+                    Variant{{"background_reduce.comp"}, kBackground},
+                    Variant{{"background_spread.comp"}, kBackground},
+                    Variant{{"color_visibility.comp"}, {}},
+                    Variant{{"mesh_view.vert", "mesh_view.frag"}, {}},
+                    Variant{{"mesh_view.vert", "mesh_view.frag"}, {"TILED"}},
+                    Variant{{"mesh_eye.vert", "mesh_view.frag"}, {}},
+                    Variant{{"mesh_camera.vert", "mesh_view.frag"}, {}},
+                    Variant{{"register_mesh.comp"}, {}}, Variant{{"register_mesh.comp"}, {"CUTS"}},
+                    Variant{{"register_cuts.comp"}, {"CUTS"}},
+                    Variant{{"register_cuts.comp"}, {"CUTS", "EXTRUDE"}},
+                    Variant{{"mesh_points.comp"}, {"PLACES"}},
+                    Variant{{"full_screen.vert", "register_metres.frag"}, {}},
+                    Variant{{"mesh_view.vert", "mesh_disparity.frag"}, {"DISPARITY"}}));
 
 std::vector<Variant> interleavers() {
     std::vector<Variant> variants{
