@@ -71,11 +71,13 @@ struct TruePixel {
 
 /// Counts of millimetres as a noise-free sensor gives them; 0 where a pixel has no ray.
 inline std::vector<std::uint16_t> exactCounts(const devices::sim::Snapshot& scene,
-                                              const calib::SensorRig& rig) {
+                                              const calib::SensorRig& rig,
+                                              const calib::RigidTransform& sceneFromColor) {
     std::vector<std::uint16_t> counts;
     for (int y = 0; y < rig.depth.intrinsics.height; ++y)
         for (int x = 0; x < rig.depth.intrinsics.width; ++x) {
-            const auto hit = hitAtPixel(scene, rig.depth, rig.colorFromDepth, {x, y});
+            const auto hit =
+                hitAtPixel(scene, rig.depth, sceneFromColor * rig.colorFromDepth, {x, y});
             const double millimetres = hit ? 1000 * hit->distance : 0;
             counts.push_back(
                 static_cast<std::uint16_t>(std::lround(std::min(millimetres, 65534.0))));
@@ -83,16 +85,16 @@ inline std::vector<std::uint16_t> exactCounts(const devices::sim::Snapshot& scen
     return counts;
 }
 
-/// Whether the depth camera sees a point (colour camera's frame, metres).
-inline bool isSeenByDepth(const devices::sim::Snapshot& scene, const calib::SensorRig& rig,
-                          const glm::dvec3& point) {
-    const auto pixel = rig.depth.project(rig.colorFromDepth.inverse() * point);
-    const calib::Intrinsics& picture = rig.depth.intrinsics;
+/// Whether the depth camera sees a point of the scene.
+inline bool isSeenBy(const devices::sim::Snapshot& scene, const calib::CameraModel& camera,
+                     const calib::RigidTransform& sceneFromCamera, const glm::dvec3& point) {
+    const auto pixel = camera.project(sceneFromCamera.inverse() * point);
+    const calib::Intrinsics& picture = camera.intrinsics;
     if (!pixel || pixel->x < -0.5 || pixel->y < -0.5 || pixel->x > picture.width - 0.5 ||
         pixel->y > picture.height - 0.5)
         return false;
     constexpr double kRounding = 1e-6; // of the way: the same surface
-    const glm::dvec3 origin = rig.colorFromDepth.translation;
+    const glm::dvec3 origin = sceneFromCamera.translation;
     return scene.trace({origin, point - origin}).distance > 1 - kRounding;
 }
 
@@ -127,15 +129,19 @@ inline void markCalm(std::vector<TruePixel>& pixels, int width, int height, int 
 /// Every pixel of the colour camera, top row first. `reach`: pixels around one that have to be
 /// free of edges for it to be calm.
 inline std::vector<TruePixel> truePixels(const devices::sim::Snapshot& scene,
-                                         const calib::SensorRig& rig, int reach) {
+                                         const calib::SensorRig& rig,
+                                         const calib::RigidTransform& sceneFromColor, int reach) {
     const calib::Intrinsics& picture = rig.color.intrinsics;
+    const calib::RigidTransform sceneFromDepth = sceneFromColor * rig.colorFromDepth;
     std::vector<TruePixel> pixels;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
-            const auto hit = hitAtPixel(scene, rig.color, calib::RigidTransform{}, {x, y});
-            pixels.push_back(
-                hit ? TruePixel{hit->distance, isSeenByDepth(scene, rig, hit->point), false}
-                    : TruePixel{});
+            const auto hit = hitAtPixel(scene, rig.color, sceneFromColor, {x, y});
+            TruePixel pixel;
+            if (hit)
+                pixel = {hit->distance, isSeenBy(scene, rig.depth, sceneFromDepth, hit->point),
+                         false};
+            pixels.push_back(pixel);
         }
     markCalm(pixels, picture.width, picture.height, reach);
     return pixels;
