@@ -78,6 +78,10 @@ void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
     params.fusion.edgeReachPx = fusion.number("edge_reach_px", {0, 32}, params.fusion.edgeReachPx);
     params.fusion.fillReach = fusion.integer("fill_reach", {1, 1024}, params.fusion.fillReach);
 
+    auto registration = root.table("registration");
+    params.registration.extrudePx =
+        registration.integer("extrude_px", {0, 16}, params.registration.extrudePx);
+
     auto depth = root.table("depth");
     params.budget.focusM = depth.numberOrAuto("focus_m", {0.05, 100}, params.budget.focusM);
     params.budget.depthScale = depth.number("scale", {0, 10}, params.budget.depthScale);

@@ -97,7 +97,9 @@ int render(const RenderOptions& options) {
                                  size.width, size.height));
         break;
     case Picture::Depth:
-        writeDepthPng(options.output, gpu::renderRegisteredDepth(pipeline, config.pipeline, rig));
+        writeDepthPng(options.output, gpu::renderRegisteredDepth(pipeline.depth(),
+                                                                 frame.depth.metadata().depthUnitM,
+                                                                 config.pipeline, rig));
         break;
     }
     return EXIT_SUCCESS;

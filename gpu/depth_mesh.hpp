@@ -28,7 +28,6 @@ class DepthMesh {
   private:
     void resize(int width, int height);
     void setBlock(double depthUnitM, const SceneGeometry& geometry);
-    void buildPoints(const gl::Texture& depth);
     void buildIndices(const gl::Texture& depth);
 
     DepthMeshParams params_;

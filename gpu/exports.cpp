@@ -1,5 +1,7 @@
 #include "gpu/exports.hpp"
 
+#include "gpu/depth_registration.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,7 +47,7 @@ RgbImage renderColor(const Shot& shot, const PipelineParams& params, const gl::P
 
 RgbImage renderEye(const Pipeline& pipeline, const PipelineParams& params,
                    const calib::DisplayProfile& display, glm::dvec3 eye, int width, int height) {
-    const gl::Program program({"mesh_eye.vert", "mesh_view.frag"}, {"CUBIC"});
+    const gl::Program program({"mesh_eye.vert", "mesh_view.frag"});
     const EyeBlock block{glm::dvec4(eye, display.viewingDistanceM) / display.widthM,
                          glm::dvec4(pipeline.geometry().law.fanHalfWidth,
                                     static_cast<double>(height) / width, 0, 0)};
@@ -70,17 +72,14 @@ RgbImage renderMovedCamera(const Pipeline& pipeline, const PipelineParams& param
     return image;
 }
 
-DepthImage renderRegisteredDepth(const Pipeline& pipeline, const PipelineParams& params,
-                                 const calib::SensorRig& rig) {
-    const gl::Program program({"mesh_register.vert", "mesh_register.frag"});
+DepthImage renderRegisteredDepth(const gl::Texture& counts, double depthUnitM,
+                                 const PipelineParams& params, const calib::SensorRig& rig) {
     const int width = rig.color.intrinsics.width, height = rig.color.intrinsics.height;
-    const Target target(GL_R32F, width, height);
-    target.clear({0, 0, 0});
-    program.use();
-    LayerDrawer(params.mesh).drawScene(pipeline.mesh().layer());
+    DepthRegistration registration(params.mesh, params.registration, rig);
+    registration.render(counts, depthUnitM, width, height);
 
     std::vector<float> metres(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    glGetTextureImage(target.color.name(), 0, GL_RED, GL_FLOAT,
+    glGetTextureImage(registration.metres().name(), 0, GL_RED, GL_FLOAT,
                       static_cast<GLsizei>(metres.size() * sizeof(float)), metres.data());
     DepthImage image{width, height, {}};
     image.millimetres.reserve(metres.size());

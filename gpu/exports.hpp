@@ -30,7 +30,7 @@ struct DepthImage {
     int height = 0;
     std::vector<std::uint16_t> millimetres;
 };
-[[nodiscard]] DepthImage renderRegisteredDepth(const Pipeline& pipeline,
+[[nodiscard]] DepthImage renderRegisteredDepth(const gl::Texture& counts, double depthUnitM,
                                                const PipelineParams& params,
                                                const calib::SensorRig& rig);
 

@@ -62,6 +62,12 @@ struct FusionParams {
     int fillReach = 128;    ///< farther from every measurement a texel stays empty, texels
 };
 
+struct RegistrationParams {
+    /// At the mesh's border, and at cuts for the farther surface, measured depth goes on for so
+    /// many depth pixels beyond the last one's own square, never over anything measured.
+    int extrudePx = 1;
+};
+
 struct DepthBudgetParams {
     /// Camera depth shown in the panel's plane; none: median depth of the picture's central third.
     std::optional<double> focusM;
@@ -79,6 +85,7 @@ struct PipelineParams {
     ConditionParams condition;
     DepthMeshParams mesh;
     FusionParams fusion;
+    RegistrationParams registration;
     DepthBudgetParams budget;
     SynthesisParams synthesis;
     std::array<double, 3> clearColor{0, 0, 0}; ///< gamma-encoded, 0..1

@@ -38,7 +38,7 @@ FillBlock fillBlock(const FusionParams& params, const calib::SensorRig& rig,
 
 Fusion::Fusion(const PipelineParams& params, const calib::SensorRig& rig)
     : params_(params.fusion), rig_(rig), drawer_(params.mesh),
-      cyclopean_({"mesh_cyclopean.vert", "mesh_register.frag"}), quads_({"layer_quads.comp"}),
+      cyclopean_({"mesh_cyclopean.vert", "mesh_depth.frag"}), quads_({"layer_quads.comp"}),
       nodes_({"layer_nodes.comp"}) {}
 
 void Fusion::fuse(const MeshLayer& measured, const gl::Texture& picture,

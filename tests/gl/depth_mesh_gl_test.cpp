@@ -91,6 +91,7 @@ TEST_F(DepthMeshGlTest, AStepIsCutAndASlopeIsNot) {
 }
 
 TEST_F(DepthMeshGlTest, NoMeasurementMakesNoNodeButABackground) {
+    params_.mesh.farthestM = 10;
     for (const int count : {0, 65535, 1, 60000}) {
         render(20, 13, std::vector<std::uint16_t>(20 * 13, static_cast<std::uint16_t>(count)));
         EXPECT_EQ(drawnTriangles(pipeline_->mesh().layer()), 0U) << count;

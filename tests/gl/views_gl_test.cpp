@@ -86,7 +86,8 @@ TEST_F(ViewsGlTest, RegisteredDepthIsTheScenes) {
     if (IsSkipped()) return;
     pair_ = simulate("sim:room?depth=640x576&color=320x180&noise=off");
     static_cast<void>(atlasBy(gpu::Method::Instanced));
-    const gpu::DepthImage depth = gpu::renderRegisteredDepth(*pipeline_, params_, pair_.rig);
+    const gpu::DepthImage depth =
+        gpu::renderRegisteredDepth(pipeline_->depth(), 0.001, params_, pair_.rig);
     ASSERT_EQ(depth.width, 320);
     ASSERT_EQ(depth.height, 180);
     const auto scene = devices::sim::makeScene("room", 1);

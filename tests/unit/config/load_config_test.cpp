@@ -47,6 +47,7 @@ void expectSame(const Config& a, const Config& b) {
     EXPECT_EQ(a.pipeline.mesh.nearestM, b.pipeline.mesh.nearestM);
     EXPECT_EQ(a.pipeline.mesh.farthestM, b.pipeline.mesh.farthestM);
     EXPECT_EQ(a.pipeline.mesh.cutRatio, b.pipeline.mesh.cutRatio);
+    EXPECT_EQ(a.pipeline.registration.extrudePx, b.pipeline.registration.extrudePx);
     EXPECT_EQ(a.pipeline.budget.focusM, b.pipeline.budget.focusM);
     EXPECT_EQ(a.pipeline.budget.depthScale, b.pipeline.budget.depthScale);
     EXPECT_EQ(a.pipeline.synthesis.method, b.pipeline.synthesis.method);
@@ -99,6 +100,8 @@ hole_width = 5
 nearest_m = 0.3
 farthest_m = 4
 cut_ratio = 0.1
+[registration]
+extrude_px = 3
 [depth]
 focus_m = 1.25
 scale = 0.5
@@ -122,6 +125,7 @@ level = "trace"
         false, 7,     4000, false, noise, false, 80 * std::numbers::pi / 180,
         4.5,   false, 6,    8,     0,     false, 5};
     expected.pipeline.mesh = {0.3, 4, 0.1};
+    expected.pipeline.registration = {3};
     expected.pipeline.budget = {1.25, 0.5};
     expected.pipeline.synthesis = {gpu::Method::Multipass, gpu::TileFilter::Nearest};
     expected.pipeline.clearColor = {0.1, 0, 1};

@@ -143,7 +143,8 @@ TEST(SceneGeometry, FillsThePanelWithTheCamerasWidthAtTheFocus) {
     display.disparityFar = -0.05;
     display.disparityNear = 0.02;
     const double focus = 1.5;
-    const SceneGeometry geometry = sceneGeometry(rig, display, {{}, 1}, 16.0 / 9, focus);
+    PipelineParams params;
+    const SceneGeometry geometry = sceneGeometry(rig, display, params, 16.0 / 9, focus);
     // 29 pixels between the outermost centres, at f = 30, less twice the larger disparity.
     const double shown = 29.0 / 30 / 1.1;
     EXPECT_NEAR(geometry.framing.width, shown, 1e-12);
@@ -154,7 +155,8 @@ TEST(SceneGeometry, FillsThePanelWithTheCamerasWidthAtTheFocus) {
     EXPECT_EQ(geometry.law.farthest, -0.05);
     EXPECT_EQ(geometry.law.nearest, 0.02);
 
-    const SceneGeometry doubled = sceneGeometry(rig, display, {{}, 2}, 16.0 / 9, focus);
+    params.budget.depthScale = 2;
+    const SceneGeometry doubled = sceneGeometry(rig, display, params, 16.0 / 9, focus);
     EXPECT_DOUBLE_EQ(doubled.law.scale, 2 * geometry.law.scale);
     EXPECT_EQ(doubled.framing.width, geometry.framing.width);
 }
