@@ -6,14 +6,15 @@
 namespace autostereo::calib {
 
 CyclopeanGrid cyclopeanGrid(const Framing& framing, const CameraModel& depth, double density,
-                            double marginU, double marginV) {
-    constexpr double kMost = 4096;
-    const auto texels = [&](double extent, double focal, double margin) {
-        const double wanted = std::round(extent * focal * density * (1 + 2 * margin));
-        return static_cast<int>(std::clamp(wanted, 2.0, kMost));
+                            int mostTexels, double marginU, double marginV) {
+    constexpr double kMostASide = 4096;
+    const double columns = framing.width * depth.intrinsics.fx * density * (1 + 2 * marginU);
+    const double rows = framing.height * depth.intrinsics.fy * density * (1 + 2 * marginV);
+    const double less = std::min(1.0, std::sqrt(mostTexels / (columns * rows)));
+    const auto texels = [&](double wanted) {
+        return static_cast<int>(std::clamp(std::floor(wanted * less), 2.0, kMostASide));
     };
-    return {texels(framing.width, depth.intrinsics.fx, marginU),
-            texels(framing.height, depth.intrinsics.fy, marginV), marginU, marginV};
+    return {texels(columns), texels(rows), marginU, marginV};
 }
 
 } // namespace autostereo::calib

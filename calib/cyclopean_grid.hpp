@@ -20,9 +20,10 @@ struct CyclopeanGrid {
     }
 };
 
-/// The grid over a framing with margins, with `density` texels per pixel of the depth camera; at
-/// most 4096 a side.
+/// The grid over a framing with margins, with `density` texels per pixel of the depth camera, fewer
+/// where that would be more than `mostTexels` in all.
 [[nodiscard]] CyclopeanGrid cyclopeanGrid(const Framing& framing, const CameraModel& depth,
-                                          double density, double marginU, double marginV);
+                                          double density, int mostTexels, double marginU,
+                                          double marginV);
 
 } // namespace autostereo::calib

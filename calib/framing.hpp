@@ -18,6 +18,7 @@ struct Framing {
     [[nodiscard]] glm::dvec2 panelFromRay(const glm::dvec2& ray) const {
         return {(ray.x - left) / width, (bottom - ray.y) / height};
     }
+    [[nodiscard]] bool operator==(const Framing&) const = default;
     [[nodiscard]] glm::dvec2 rayFromPanel(const glm::dvec2& uv) const {
         return {left + uv.x * width, bottom - uv.y * height};
     }

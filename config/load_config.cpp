@@ -74,8 +74,11 @@ void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
 
     auto fusion = root.table("fusion");
     params.fusion.density = fusion.number("density", {0.25, 4}, params.fusion.density);
+    params.fusion.mostTexels =
+        fusion.integer("most_texels", {1000, 4'000'000}, params.fusion.mostTexels);
     params.fusion.edgeBandPx = fusion.number("edge_band_px", {0, 8}, params.fusion.edgeBandPx);
     params.fusion.edgeReachPx = fusion.number("edge_reach_px", {0, 32}, params.fusion.edgeReachPx);
+    params.fusion.remember = fusion.boolean("remember", params.fusion.remember);
     params.fusion.fillReach = fusion.integer("fill_reach", {1, 1024}, params.fusion.fillReach);
 
     auto registration = root.table("registration");

@@ -91,7 +91,7 @@ int render(const RenderOptions& options) {
         writePicturePng(
             options.output,
             options.cameraOffset
-                ? gpu::renderMovedCamera(pipeline, config.pipeline, rig, *options.cameraOffset)
+                ? gpu::MovedCamera(config.pipeline, rig, *options.cameraOffset).render(pipeline)
                 : gpu::renderEye(pipeline, config.pipeline, display,
                                  options.eye.value_or(glm::dvec3{0, 0, display.viewingDistanceM}),
                                  size.width, size.height));

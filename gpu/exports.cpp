@@ -55,19 +55,20 @@ RgbImage renderEye(const Pipeline& pipeline, const PipelineParams& params,
                        params, program, block, Target(GL_RGBA8, width, height));
 }
 
-RgbImage renderMovedCamera(const Pipeline& pipeline, const PipelineParams& params,
-                           const calib::SensorRig& rig, glm::dvec3 offset) {
-    const SceneGeometry geometry = movedCameraGeometry(rig, offset);
-    DepthMesh mesh(params.mesh, rig);
-    Fusion fusion(params, rig);
-    mesh.build(pipeline.depth(), pipeline.mesh().block().budget.z, geometry);
-    fusion.fuse(mesh.layer(), pipeline.color(), geometry);
-    const gl::Program program({"mesh_camera.vert", "mesh_view.frag"}, {"CUBIC"});
+MovedCamera::MovedCamera(const PipelineParams& params, const calib::SensorRig& rig,
+                         glm::dvec3 offset)
+    : params_(params), rig_(rig), offset_(offset), geometry_(movedCameraGeometry(rig, offset)),
+      mesh_(params.mesh, rig), fusion_(params, rig),
+      program_({"mesh_camera.vert", "mesh_view.frag"}, {"CUBIC"}) {}
+
+RgbImage MovedCamera::render(const Pipeline& pipeline) {
+    mesh_.build(pipeline.depth(), pipeline.mesh().block().budget.z, geometry_);
+    fusion_.fuse(mesh_.layer(), pipeline.color(), geometry_);
     glEnable(GL_CLIP_DISTANCE0);
     RgbImage image =
-        renderColor({fusion.layers(), mesh.block(), pipeline.color()}, params, program,
-                    {glm::dvec4(offset, 0), {}},
-                    Target(GL_RGBA8, rig.color.intrinsics.width, rig.color.intrinsics.height));
+        renderColor({fusion_.layers(), mesh_.block(), pipeline.color()}, params_, program_,
+                    {glm::dvec4(offset_, 0), {}},
+                    Target(GL_RGBA8, rig_.color.intrinsics.width, rig_.color.intrinsics.height));
     glDisable(GL_CLIP_DISTANCE0);
     return image;
 }

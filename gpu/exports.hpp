@@ -19,10 +19,22 @@ namespace autostereo::gpu {
                                  const calib::DisplayProfile& display, glm::dvec3 eye, int width,
                                  int height);
 
-/// The colour camera's own picture, moved by `offset` metres along its axes; fused anew in its
-/// frame.
-[[nodiscard]] RgbImage renderMovedCamera(const Pipeline& pipeline, const PipelineParams& params,
-                                         const calib::SensorRig& rig, glm::dvec3 offset);
+/// The colour camera's own picture, moved by `offset` metres along its axes; fused in its frame.
+class MovedCamera {
+  public:
+    MovedCamera(const PipelineParams& params, const calib::SensorRig& rig, glm::dvec3 offset);
+    /// Frame by frame: what an earlier one saw is remembered.
+    [[nodiscard]] RgbImage render(const Pipeline& pipeline);
+
+  private:
+    PipelineParams params_;
+    calib::SensorRig rig_;
+    glm::dvec3 offset_;
+    SceneGeometry geometry_;
+    DepthMesh mesh_;
+    Fusion fusion_;
+    gl::Program program_;
+};
 
 /// Measured depth at the colour camera: millimetres (rounded; 0: none), its size, top row first.
 struct DepthImage {

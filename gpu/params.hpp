@@ -54,11 +54,13 @@ struct ConditionParams {
 
 /// How the measured surfaces become a complete cyclopean picture.
 struct FusionParams {
-    double density = 2; ///< texels of the cyclopean grid per pixel of the depth camera
+    double density = 1.5;     ///< texels of the cyclopean grid per pixel of the depth camera
+    int mostTexels = 200'000; ///< of that grid; fewer per pixel where it would have more
     /// Depth this close to an edge gives way to the colours' decision where the colour camera has
     /// the finer pixels, depth pixels.
     double edgeBandPx = 1;
     double edgeReachPx = 3; ///< so near an edge colours decide between surfaces, depth pixels
+    bool remember = true;   ///< background seen earlier; for cameras that stand still
     int fillReach = 128;    ///< farther from every measurement a texel stays empty, texels
 };
 

@@ -63,8 +63,8 @@ SceneGeometry sceneGeometry(const calib::SensorRig& rig, const calib::DisplayPro
     geometry.framing = calib::framePanel(rig, panelAspect, overscan, focusM);
     geometry.law = calib::disparityLaw(display, focusM, geometry.framing.width * focusM,
                                        params.budget.depthScale);
-    geometry.grid =
-        calib::cyclopeanGrid(geometry.framing, rig.depth, params.fusion.density, overscan, 0);
+    geometry.grid = calib::cyclopeanGrid(geometry.framing, rig.depth, params.fusion.density,
+                                         params.fusion.mostTexels, overscan, 0);
     return geometry;
 }
 

@@ -17,6 +17,7 @@ BackgroundLayer::BackgroundLayer()
       colorSeeds_({"background_seeds.comp"}), compose_({"background_compose.comp"}) {}
 
 void BackgroundLayer::resize(int columns, int rows) {
+    memory_.resize(columns, rows);
     guide_.resize(columns, rows);
     colors_.resize(columns, rows);
     claims_ = gl::Texture(GL_RG32F, columns, rows);
@@ -29,6 +30,8 @@ void BackgroundLayer::build(const gl::Texture& measured, const gl::Texture& fill
                             const gl::Texture& picture) {
     claim(filled);
     spreadGuide();
+    glBindTextureUnit(5, memory_.depth().name());
+    glBindTextureUnit(6, memory_.color().name());
     spreadColors(measured, filled, picture);
     compose(filled, picture);
 }

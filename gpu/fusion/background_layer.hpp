@@ -1,12 +1,13 @@
 #pragma once
 
+#include "gpu/fusion/background_memory.hpp"
 #include "gpu/fusion/pull_push.hpp"
 
 namespace autostereo::gpu {
 
 /// What stands behind the scene: its own surfaces where nothing can be behind them, else the depth
-/// of the surface across the edge and colours spread from around, never from what is nearer.
-/// Needs MeshBlock at binding 0 and FillBlock at 3. Thread-bound.
+/// of the surface across the edge and colours spread from around, never from what is nearer; or
+/// what was seen there earlier. Needs MeshBlock at binding 0 and FillBlock at 3. Thread-bound.
 class BackgroundLayer {
   public:
     BackgroundLayer();
@@ -15,6 +16,8 @@ class BackgroundLayer {
     void build(const gl::Texture& measured, const gl::Texture& filled, const gl::Texture& picture);
     [[nodiscard]] const gl::Texture& depth() const { return depth_; } ///< R32F, m, never 0
     [[nodiscard]] const gl::Texture& color() const { return color_; } ///< RGBA8
+    [[nodiscard]] BackgroundMemory& memory() { return memory_; }
+    [[nodiscard]] const BackgroundMemory& memory() const { return memory_; }
     [[nodiscard]] const gl::Texture& claims() const { return claims_; }
 
   private:
@@ -25,6 +28,7 @@ class BackgroundLayer {
     void compose(const gl::Texture& filled, const gl::Texture& picture);
 
     gl::Program claimRows_, guideSeeds_, colorSeeds_, compose_;
+    BackgroundMemory memory_;
     PullPush guide_, colors_;
     gl::Texture claims_; ///< RG32F: depth behind (m; 0: none), texels to the edge
     gl::Texture depth_, color_;

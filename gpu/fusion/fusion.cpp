@@ -45,8 +45,11 @@ void Fusion::fuse(const MeshLayer& measured, const gl::Texture& picture,
                   const SceneGeometry& geometry) {
     const calib::CyclopeanGrid& grid = geometry.grid;
     if (!depth_.isSized(grid.columns, grid.rows)) resize(grid.columns, grid.rows);
+    if (!(framing_ == geometry.framing)) background_.memory().forget();
+    framing_ = geometry.framing;
     drawCyclopean(measured);
     holes_.fill(depth_, picture, fillBlock(params_, rig_, geometry));
+    if (params_.remember) background_.memory().remember(holes_.sureDepth(), picture);
     background_.build(holes_.sureDepth(), holes_.depth(), picture);
     buildLayers();
 }

@@ -40,6 +40,7 @@ class Fusion {
     gl::Texture depth_, depthTest_;
     gl::Framebuffer framebuffer_;
     MeshLayers layers_;
+    calib::Framing framing_; ///< of what the background remembers
 };
 
 /// FusionParams in texels of the grid.

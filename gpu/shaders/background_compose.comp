@@ -1,10 +1,11 @@
 #version 450 core
 // The background layer: the scene itself where nothing can be behind it, else the surface that
-// claims the texel in the colours around. What the picture shows without any depth keeps its colour;
+// claims the texel in the colours around, or what is remembered there. What the picture shows without any depth keeps its colour;
 // with no depth anywhere it stands in the panel's plane.
 #include "mesh_block.glsl"
 #include "camera.glsl"
 #include "cyclopean_grid.glsl"
+#include "background_memory.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
@@ -26,6 +27,10 @@ void main() {
     bool own = isInPicture(source) && (z == 0.0 || behind == 0.0);
     vec3 shown = own ? texture(colorImage, source).rgb : texelFetch(spread, texel, 0).rgb;
     float guessed = inverse > 0.0 ? 1.0 / inverse : law.x;
+    if (isRemembered(texel, z)) {
+        behind = texelFetch(memoryDepth, texel, 0).x;
+        shown = texelFetch(memoryColor, texel, 0).rgb;
+    }
     imageStore(depth, texel, vec4(behind > 0.0 ? behind : z > 0.0 ? z : guessed));
     imageStore(color, texel, vec4(shown, 1.0));
 }

@@ -1,9 +1,11 @@
 #version 450 core
 // Colours that the hidden background may be continued from: unclaimed and no nearer than what is
 // hidden there. Where depth was guessed close beside a nearer surface the colour may be that one's.
+// And what is remembered of what is hidden.
 #include "mesh_block.glsl"
 #include "camera.glsl"
 #include "cyclopean_grid.glsl"
+#include "background_memory.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
@@ -42,5 +44,7 @@ void main() {
     bool far = z > 0.0 && !(inverse > 0.0 && isBehind(1.0 / inverse, z));
     bool known = far && texelFetch(claims, texel, 0).x == 0.0 && isInPicture(source);
     known = known && !(guessed && isBesideNearer(texel, z));
-    imageStore(seeds, texel, known ? vec4(texture(colorImage, source).rgb, 1.0) : vec4(0.0));
+    vec4 seed = known ? vec4(texture(colorImage, source).rgb, 1.0) : vec4(0.0);
+    if (isRemembered(texel, z)) seed = vec4(texelFetch(memoryColor, texel, 0).rgb, 1.0);
+    imageStore(seeds, texel, seed);
 }

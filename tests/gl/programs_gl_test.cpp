@@ -25,25 +25,24 @@ TEST_P(ProgramsGlTest, Links) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ProgramsGlTest,
-    testing::Values(Variant{{"condition_measure.comp"}, {}}, Variant{{"condition_flying.comp"}, {}},
-                    Variant{{"condition_hold.comp"}, {}}, Variant{{"condition_holes.comp"}, {}},
-                    Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_indices.comp"}, {}},
-                    Variant{{"mesh_cyclopean.vert", "mesh_depth.frag"}, {}},
-                    Variant{{"edge_band.comp"}, {}}, Variant{{"fill_holes.comp"}, {}},
-                    Variant{{"background_claims.comp"}, {}}, Variant{{"background_guide.comp"}, {}},
-                    Variant{{"background_seeds.comp"}, {}},
-                    Variant{{"background_compose.comp"}, {}}, Variant{{"pull.comp"}, {}},
-                    Variant{{"push.comp"}, {}}, Variant{{"push.comp"}, {"COARSEST"}},
-                    Variant{{"layer_quads.comp"}, {}}, Variant{{"layer_nodes.comp"}, {}},
-                    Variant{{"mesh_view.vert", "mesh_view.frag"}, {}},
-                    Variant{{"mesh_view.vert", "mesh_view.frag"}, {"TILED"}},
-                    Variant{{"mesh_eye.vert", "mesh_view.frag"}, {}},
-                    Variant{{"mesh_camera.vert", "mesh_view.frag"}, {"CUBIC"}},
-                    Variant{{"register_mesh.comp"}, {}}, Variant{{"register_cuts.comp"}, {}},
-                    Variant{{"register_cuts.comp"}, {"EXTRUDE"}},
-                    Variant{{"mesh_points.comp"}, {"PLACES"}},
-                    Variant{{"full_screen.vert", "register_metres.frag"}, {}},
-                    Variant{{"mesh_view.vert", "mesh_disparity.frag"}, {"DISPARITY"}}));
+    testing::Values(
+        Variant{{"condition_measure.comp"}, {}}, Variant{{"condition_flying.comp"}, {}},
+        Variant{{"condition_hold.comp"}, {}}, Variant{{"condition_holes.comp"}, {}},
+        Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_indices.comp"}, {}},
+        Variant{{"mesh_cyclopean.vert", "mesh_depth.frag"}, {}}, Variant{{"edge_band.comp"}, {}},
+        Variant{{"fill_holes.comp"}, {}}, Variant{{"background_claims.comp"}, {}},
+        Variant{{"background_remember.comp"}, {}}, Variant{{"background_guide.comp"}, {}},
+        Variant{{"background_seeds.comp"}, {}}, Variant{{"background_compose.comp"}, {}},
+        Variant{{"pull.comp"}, {}}, Variant{{"push.comp"}, {}},
+        Variant{{"push.comp"}, {"COARSEST"}}, Variant{{"layer_quads.comp"}, {}},
+        Variant{{"layer_nodes.comp"}, {}}, Variant{{"mesh_view.vert", "mesh_view.frag"}, {}},
+        Variant{{"mesh_view.vert", "mesh_view.frag"}, {"TILED"}},
+        Variant{{"mesh_eye.vert", "mesh_view.frag"}, {}},
+        Variant{{"mesh_camera.vert", "mesh_view.frag"}, {"CUBIC"}},
+        Variant{{"register_mesh.comp"}, {}}, Variant{{"register_cuts.comp"}, {}},
+        Variant{{"register_cuts.comp"}, {"EXTRUDE"}}, Variant{{"mesh_points.comp"}, {"PLACES"}},
+        Variant{{"full_screen.vert", "register_metres.frag"}, {}},
+        Variant{{"mesh_view.vert", "mesh_disparity.frag"}, {"DISPARITY"}}));
 
 std::vector<Variant> interleavers() {
     std::vector<Variant> variants{

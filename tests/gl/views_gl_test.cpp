@@ -66,7 +66,7 @@ TEST_F(ViewsGlTest, TheUnmovedCameraSeesItsOwnPicture) {
     if (IsSkipped()) return;
     pair_ = simulate("sim:room?depth=640x576&color=320x180&noise=off");
     static_cast<void>(atlasBy(gpu::Method::Instanced));
-    const gpu::RgbImage seen = gpu::renderMovedCamera(*pipeline_, params_, pair_.rig, {0, 0, 0});
+    const gpu::RgbImage seen = gpu::MovedCamera(params_, pair_.rig, {0, 0, 0}).render(*pipeline_);
     const oracle::Picture color = colorPicture(pair_.frame.color);
     std::size_t close = 0, inside = 0;
     // The depth camera covers less than the colour camera: look at the middle.
