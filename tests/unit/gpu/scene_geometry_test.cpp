@@ -105,7 +105,7 @@ TEST(MedianDepth, FallsBackToTheWholePicture) {
 TEST(MedianDepth, IsNoneWhereNothingIsMeasured) {
     EXPECT_FALSE(medianOf([](int, int) { return 0; }));
     EXPECT_FALSE(medianOf([](int, int) { return 65535; }));
-    EXPECT_FALSE(medianOf([](int, int) { return 149; }));   // nearer than 0.15 m
+    EXPECT_FALSE(medianOf([](int, int) { return 149; })); // nearer than 0.15 m
     EXPECT_TRUE(medianOf([](int, int) { return 150; }));
     EXPECT_TRUE(medianOf([](int, int) { return 10000; }));
 }
