@@ -17,18 +17,18 @@ class BackgroundMemoryGlTest : public GlTest {
     /// A frame of `count(x)` millimetres in front of a grey picture.
     template<class Count>
     void show(Count count) {
-        frame_.depth = *pool_.acquire({devices::PixelFormat::Depth16, kWidth, kHeight});
-        frame_.color = *pool_.acquire({devices::PixelFormat::Rgba8, 64, 48});
+        frame.depth = *pool.acquire({devices::PixelFormat::Depth16, kWidth, kHeight});
+        frame.color = *pool.acquire({devices::PixelFormat::Rgba8, 64, 48});
         for (int i = 0; i < kWidth * kHeight; ++i)
-            frame_.depth.depth()[static_cast<std::size_t>(i)] =
+            frame.depth.depth()[static_cast<std::size_t>(i)] =
                 static_cast<std::uint16_t>(count(i % kWidth));
-        std::fill(frame_.color.pixels().begin(), frame_.color.pixels().end(), std::byte{90});
-        if (!pipeline_) {
-            params_.condition.hold = params_.condition.flyingPixels = false;
-            pipeline_ = std::make_unique<gpu::Pipeline>(
-                params_, devices::sim::simulatedRig(kWidth, kHeight, 64, 48), display_, 96, 128);
+        std::fill(frame.color.pixels().begin(), frame.color.pixels().end(), std::byte{90});
+        if (!pipeline) {
+            params.condition.hold = params.condition.flyingPixels = false;
+            pipeline = std::make_unique<gpu::Pipeline>(
+                params, devices::sim::simulatedRig(kWidth, kHeight, 64, 48), display, 96, 128);
         }
-        pipeline_->renderAtlas(frame_);
+        pipeline->renderAtlas(frame);
     }
     void showWall(int count, int frames) {
         for (int i = 0; i < frames; ++i)
@@ -36,14 +36,15 @@ class BackgroundMemoryGlTest : public GlTest {
     }
     /// In the middle of the left and of the right half, metres.
     [[nodiscard]] std::array<double, 2> remembered() const {
-        const gpu::gl::Texture& depth = pipeline_->fusion().background().memory().depth();
-        const int width = depth.width(), height = depth.height();
-        std::vector<float> texels(static_cast<std::size_t>(width * height));
+        const gpu::gl::Texture& depth = pipeline->fusion().background().memory().depth();
+        const auto width = static_cast<std::size_t>(depth.width());
+        const auto height = static_cast<std::size_t>(depth.height());
+        std::vector<float> texels(width * height);
         glGetTextureImage(depth.name(), 0, GL_RED, GL_FLOAT,
                           static_cast<GLsizei>(texels.size() * sizeof(float)), texels.data());
-        const int row = height / 2 * width;
-        return {static_cast<double>(texels[static_cast<std::size_t>(row + width / 4)]),
-                static_cast<double>(texels[static_cast<std::size_t>(row + 3 * width / 4)])};
+        const std::size_t row = height / 2 * width;
+        return {static_cast<double>(texels[row + width / 4]),
+                static_cast<double>(texels[row + 3 * width / 4])};
     }
     // The colour camera is tilted and stands beside: its depth of a wall differs a little.
     static void expectNear(const std::array<double, 2>& metres, double left, double right) {
@@ -51,11 +52,11 @@ class BackgroundMemoryGlTest : public GlTest {
         EXPECT_NEAR(metres[1], right, 0.06 * right);
     }
 
-    gpu::PipelineParams params_;
-    calib::DisplayProfile display_ = smallLensDisplay(2, 1, 48, 64);
-    devices::FramePool pool_{4};
-    devices::RgbdFrame frame_;
-    std::unique_ptr<gpu::Pipeline> pipeline_;
+    gpu::PipelineParams params;
+    calib::DisplayProfile display = smallLensDisplay(2, 1, 48, 64);
+    devices::FramePool pool{4};
+    devices::RgbdFrame frame;
+    std::unique_ptr<gpu::Pipeline> pipeline;
 };
 
 TEST_F(BackgroundMemoryGlTest, KeepsTheFarthestThatWasSeenAndTrustsNoOutlier) {
@@ -126,14 +127,14 @@ TEST_F(BackgroundMemoryGlTest, WhatAVisitorHidesIsNearlyAsGoodAsWhatIsSeen) {
     for (const int roomFrames : {0, 6}) {
         const SimulatedPair room = simulate("sim:room" + form),
                             person = simulate("sim:person" + form);
-        gpu::Pipeline pipeline({}, person.rig, display_, 96, 128);
+        gpu::Pipeline gpuStages({}, person.rig, display, 96, 128);
         gpu::MovedCamera camera({}, person.rig, kOffset);
         for (int i = 0; i < roomFrames; ++i) {
-            pipeline.renderAtlas(room.frame);
-            static_cast<void>(camera.render(pipeline));
+            gpuStages.renderAtlas(room.frame);
+            static_cast<void>(camera.render(gpuStages));
         }
-        pipeline.renderAtlas(person.frame);
-        found[roomFrames > 0 ? 1 : 0] = judge(camera.render(pipeline), person.rig, kOffset, 0.004);
+        gpuStages.renderAtlas(person.frame);
+        found[roomFrames > 0 ? 1 : 0] = judge(camera.render(gpuStages), person.rig, kOffset, 0.004);
     }
     std::printf("never seen: %.2f dB, seen %.2f; remembered: %.2f, %.2f (%zu pixels hidden)\n",
                 found[0].hiddenDb, found[0].seenDb, found[1].hiddenDb, found[1].seenDb,

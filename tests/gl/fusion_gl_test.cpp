@@ -32,27 +32,27 @@ oracle::DepthGrid readDepthGrid(const gpu::gl::Texture& texture) {
 class FusionGlTest : public GlTest, public testing::WithParamInterface<const char*> {
   protected:
     void fuse() {
-        pair_ = simulate(GetParam(), 2);
-        pipeline_ = std::make_unique<gpu::Pipeline>(params_, pair_.rig, display_, display_.width,
-                                                    display_.height);
-        pipeline_->renderAtlas(pair_.frame);
-        in_.rig = pair_.rig;
-        in_.geometry = pipeline_->geometry();
-        in_.color = colorPicture(pair_.frame.color);
-        const gpu::FillBlock block = gpu::fillBlock(params_.fusion, pair_.rig, in_.geometry);
-        in_.fillReach = block.reach.x;
-        in_.edgeReach = block.reach.y;
-        in_.unsure = block.reach.z;
-        in_.band = block.reach.w;
-        ASSERT_GT(in_.band, 0) << "the colour camera is the finer one here";
+        pair = simulate(GetParam(), 2);
+        pipeline = std::make_unique<gpu::Pipeline>(params, pair.rig, display, display.width,
+                                                   display.height);
+        pipeline->renderAtlas(pair.frame);
+        in.rig = pair.rig;
+        in.geometry = pipeline->geometry();
+        in.color = colorPicture(pair.frame.color);
+        const gpu::FillBlock block = gpu::fillBlock(params.fusion, pair.rig, in.geometry);
+        in.fillReach = block.reach.x;
+        in.edgeReach = block.reach.y;
+        in.unsure = block.reach.z;
+        in.band = block.reach.w;
+        ASSERT_GT(in.band, 0) << "the colour camera is the finer one here";
     }
-    [[nodiscard]] const gpu::Fusion& fusion() const { return pipeline_->fusion(); }
+    [[nodiscard]] const gpu::Fusion& fusion() const { return pipeline->fusion(); }
 
-    gpu::PipelineParams params_;
-    calib::DisplayProfile display_ = smallLensDisplay(2, 1, 48, 64);
-    SimulatedPair pair_ = simulate("sim:room?depth=16x16&color=16x16");
-    std::unique_ptr<gpu::Pipeline> pipeline_;
-    oracle::FusionInput in_;
+    gpu::PipelineParams params;
+    calib::DisplayProfile display = smallLensDisplay(2, 1, 48, 64);
+    SimulatedPair pair = simulate("sim:room?depth=16x16&color=16x16");
+    std::unique_ptr<gpu::Pipeline> pipeline;
+    oracle::FusionInput in;
 };
 
 double shareOff(const oracle::DepthGrid& a, const oracle::DepthGrid& b) {
@@ -73,9 +73,9 @@ TEST_P(FusionGlTest, DepthIsFilledAsTheOracleDoes) {
     fuse();
     const auto measured = readDepthGrid(fusion().measuredDepth());
     const auto sure = readDepthGrid(fusion().holes().sureDepth());
-    EXPECT_LE(shareOff(sure, oracle::sureDepth(in_, measured)), kRounding);
+    EXPECT_LE(shareOff(sure, oracle::sureDepth(in, measured)), kRounding);
     const auto filled = readDepthGrid(fusion().holes().depth());
-    EXPECT_LE(shareOff(filled, oracle::filledDepth(in_, measured, sure)), kTies);
+    EXPECT_LE(shareOff(filled, oracle::filledDepth(in, measured, sure)), kTies);
 }
 
 TEST_P(FusionGlTest, WhatIsHiddenIsClaimedAndContinued) {
@@ -83,7 +83,7 @@ TEST_P(FusionGlTest, WhatIsHiddenIsClaimedAndContinued) {
     fuse();
     const auto sure = readDepthGrid(fusion().holes().sureDepth());
     const auto filled = readDepthGrid(fusion().holes().depth());
-    const auto claims = oracle::claimsOf(in_, filled);
+    const auto claims = oracle::claimsOf(in, filled);
     const auto claimed = readTexels<2>(fusion().background().claims());
     std::size_t wrong = 0, hidden = 0;
     for (std::size_t i = 0; i < claimed.size(); ++i) {
@@ -94,7 +94,7 @@ TEST_P(FusionGlTest, WhatIsHiddenIsClaimedAndContinued) {
     EXPECT_GT(hidden, claimed.size() / 50);
     EXPECT_LE(wrong, claimed.size() / 10000);
 
-    const auto expected = oracle::background(in_, sure, filled, claims);
+    const auto expected = oracle::background(in, sure, filled, claims);
     EXPECT_LE(shareOff(readDepthGrid(fusion().background().depth()), expected.depth), kRounding);
     const auto colors = readTexels<3>(fusion().background().color());
     std::size_t off = 0;
@@ -123,14 +123,14 @@ TEST_P(FusionGlTest, QuadsMeetWhereTexelsAreOneSurface) {
                 int parts = 0;
                 for (int n = 0; n < 4; ++n) {
                     const double z = depth.at(x + i - (n & 1), y + j - (n >> 1));
-                    if (!(z > 0) || !oracle::oneSurface(in_, z, depth.at(x, y))) continue;
+                    if (!(z > 0) || !oracle::oneSurface(in, z, depth.at(x, y))) continue;
                     inverse += 1 / z;
-                    disparity += oracle::disparity(in_.geometry.law, z);
+                    disparity += oracle::disparity(in.geometry.law, z);
                     ++parts;
                 }
-                const auto& point =
-                    points[static_cast<std::size_t>((2 * y + j) * stride + 2 * x + i)];
-                const glm::dvec2 uv = in_.geometry.grid.panelFromTexel({x + i - 0.5, y + j - 0.5});
+                const int vertex = (2 * y + j) * stride + 2 * x + i;
+                const auto& point = points[static_cast<std::size_t>(vertex)];
+                const glm::dvec2 uv = in.geometry.grid.panelFromTexel({x + i - 0.5, y + j - 0.5});
                 ASSERT_NEAR(static_cast<double>(point[0]), uv.x, 1e-6);
                 ASSERT_NEAR(static_cast<double>(point[1]), uv.y, 1e-6);
                 ASSERT_NEAR(static_cast<double>(point[2]), disparity / parts, 1e-6);

@@ -150,7 +150,7 @@ inline PhaseFunction phaseFunction(const calib::DisplayProfile& display) {
     if (const auto* table = std::get_if<calib::ViewTable>(&display.law))
         return [rows = table->rows, views](int x, int y, int c) {
             const auto& row = rows.at(static_cast<std::size_t>(y) % rows.size());
-            const auto k = static_cast<std::size_t>(3 * x + c);
+            const auto k = 3 * static_cast<std::size_t>(x) + static_cast<std::size_t>(c);
             return (row.at(k % row.size()) + Real{0.5}) / views;
         };
     return {};
