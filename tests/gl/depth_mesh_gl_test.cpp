@@ -5,8 +5,10 @@
 #include "tests/gl/scene_support.hpp"
 #include "tests/support/gl_fixture.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 namespace autostereo::test {
@@ -35,32 +37,32 @@ class DepthMeshGlTest : public GlTest {
   protected:
     /// A frame of one depth, `counts` long, in front of a grey colour picture.
     void render(int width, int height, const std::vector<std::uint16_t>& counts) {
-        frame_.depth = *pool_.acquire({devices::PixelFormat::Depth16, width, height});
-        frame_.color = *pool_.acquire({devices::PixelFormat::Rgba8, 64, 48});
-        std::copy(counts.begin(), counts.end(), frame_.depth.depth().begin());
-        std::fill(frame_.color.pixels().begin(), frame_.color.pixels().end(), std::byte{90});
+        frame.depth = *pool.acquire({devices::PixelFormat::Depth16, width, height});
+        frame.color = *pool.acquire({devices::PixelFormat::Rgba8, 64, 48});
+        std::copy(counts.begin(), counts.end(), frame.depth.depth().begin());
+        std::fill(frame.color.pixels().begin(), frame.color.pixels().end(), std::byte{90});
         const calib::SensorRig rig = devices::sim::simulatedRig(width, height, 64, 48);
-        pipeline_ = std::make_unique<gpu::Pipeline>(params_, rig, display_, 96, 128);
-        pipeline_->renderAtlas(frame_);
+        pipeline = std::make_unique<gpu::Pipeline>(params, rig, display, 96, 128);
+        pipeline->renderAtlas(frame);
     }
-    [[nodiscard]] const gpu::MeshLayers& layers() const { return pipeline_->fusion().layers(); }
+    [[nodiscard]] const gpu::MeshLayers& layers() const { return pipeline->fusion().layers(); }
 
-    gpu::PipelineParams params_;
-    calib::DisplayProfile display_ = smallLensDisplay(2, 1, 48, 64);
-    devices::FramePool pool_{4};
-    devices::RgbdFrame frame_;
-    std::unique_ptr<gpu::Pipeline> pipeline_;
+    gpu::PipelineParams params;
+    calib::DisplayProfile display = smallLensDisplay(2, 1, 48, 64);
+    devices::FramePool pool{4};
+    devices::RgbdFrame frame;
+    std::unique_ptr<gpu::Pipeline> pipeline;
 };
 
 /// Float against double: u, v and the texture coordinate come from a few dozen operations on
 /// values near one, so some 1e-6; the texture coordinate goes through the distortion polynomial.
 TEST_F(DepthMeshGlTest, NodesAgreeWithTheOracle) {
     const SimulatedPair pair = simulate("sim:room?depth=176x144&color=640x360");
-    gpu::Pipeline pipeline(params_, pair.rig, display_, 96, 128);
-    pipeline.renderAtlas(pair.frame);
-    const oracle::MeshInput input = oracleInput(pair, pipeline, params_);
+    pipeline = std::make_unique<gpu::Pipeline>(params, pair.rig, display, 96, 128);
+    pipeline->renderAtlas(pair.frame);
+    const oracle::MeshInput input = oracleInput(pair, *pipeline, params);
     const oracle::Layer mesh = oracle::meshLayer(input);
-    const auto points = readPoints(pipeline.mesh().layer());
+    const auto points = readPoints(pipeline->mesh().layer());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto& node = mesh.nodes[i];
         ASSERT_EQ(node.has_value(), points[i].w > 0);
@@ -70,7 +72,7 @@ TEST_F(DepthMeshGlTest, NodesAgreeWithTheOracle) {
         ASSERT_NEAR(points[i].z, node->d, 1e-6);
         ASSERT_NEAR(points[i].w, node->z, 2e-6);
     }
-    EXPECT_EQ(drawnTriangles(pipeline.mesh().layer()), mesh.triangles.size());
+    EXPECT_EQ(drawnTriangles(pipeline->mesh().layer()), mesh.triangles.size());
 }
 
 TEST_F(DepthMeshGlTest, AStepIsCutAndASlopeIsNot) {
@@ -83,18 +85,18 @@ TEST_F(DepthMeshGlTest, AStepIsCutAndASlopeIsNot) {
         }
     render(kWidth, kHeight, slope);
     const std::size_t whole = 2 * (kWidth - 1) * (kHeight - 1);
-    EXPECT_EQ(drawnTriangles(pipeline_->mesh().layer()), whole);
-    params_.mesh.farthestM = 10;
+    EXPECT_EQ(drawnTriangles(pipeline->mesh().layer()), whole);
+    params.mesh.farthestM = 10;
     render(kWidth, kHeight, step);
-    EXPECT_EQ(drawnTriangles(pipeline_->mesh().layer()), whole - 2 * (kHeight - 1))
+    EXPECT_EQ(drawnTriangles(pipeline->mesh().layer()), whole - 2 * (kHeight - 1))
         << "one column of cells bridges the step";
 }
 
 TEST_F(DepthMeshGlTest, NoMeasurementMakesNoNodeButABackground) {
-    params_.mesh.farthestM = 10;
+    params.mesh.farthestM = 10;
     for (const int count : {0, 65535, 1, 60000}) {
         render(20, 13, std::vector<std::uint16_t>(20 * 13, static_cast<std::uint16_t>(count)));
-        EXPECT_EQ(drawnTriangles(pipeline_->mesh().layer()), 0U) << count;
+        EXPECT_EQ(drawnTriangles(pipeline->mesh().layer()), 0U) << count;
         EXPECT_GT(drawnTriangles(layers().background), 0U) << count;
     }
 }
@@ -107,8 +109,8 @@ TEST_F(DepthMeshGlTest, AnyGridAndAnyValueStaysFinite) {
         {{1, 1}, {1, 9}, {9, 1}, {2, 2}, {5, 4}, {37, 23}}};
     for (const auto& [width, height] : kSizes) {
         std::vector<std::uint16_t> counts;
-        for (int i = 0; i < width * height; ++i)
-            counts.push_back(kValues[random() % 8]);
+        std::generate_n(std::back_inserter(counts), width * height,
+                        [&] { return kValues[random() % 8]; });
         render(width, height, counts);
         for (const gpu::MeshLayer* layer : {&layers().scene, &layers().background})
             for (const glm::vec4& point : readPoints(*layer))

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace autostereo::test {
 namespace {
@@ -167,7 +168,7 @@ TEST_F(DepthRegistrationGlTest, NearHidesFarAndExtrusionStaysBehind) {
                     std::uint16_t{1000});
     for (const int extrudePx : {0, 2, 5}) {
         const auto found = registered(plainRig(-0.1), counts, {128, 96}, extrudePx);
-        const auto across = [&](int x) { return found[static_cast<std::size_t>(48 * 128 + x)]; };
+        const auto across = [&](int x) { return found[48U * 128U + static_cast<std::size_t>(x)]; };
         for (int x = 44; x < 60; ++x) // 2 * 28 - 12 and 16 wide
             EXPECT_FLOAT_EQ(across(x), 1) << x;
         EXPECT_FLOAT_EQ(across(43), 2);
@@ -190,7 +191,8 @@ TEST_F(DepthRegistrationGlTest, NothingIsSeenBeyondTheMetricRadius) {
     const auto found = registered(rig, std::vector<std::uint16_t>(64 * 48, 1500), {128, 96}, 1);
     for (int y = 0; y < 96; ++y)
         for (int x = 0; x < 128; ++x) {
-            const float z = found[static_cast<std::size_t>(y * 128 + x)];
+            const int texel = y * 128 + x;
+            const float z = found[static_cast<std::size_t>(texel)];
             const double seenAt = std::hypot(x - 63.5, y - 47.5);
             const double last = 120 * 0.3 * (1 + 0.2 * 0.09);
             // Cells that reach over it are shared out: some three pixels either way.
@@ -209,8 +211,8 @@ TEST_F(DepthRegistrationGlTest, AnyGridStaysFiniteAndTwoRunsAreEqual) {
     constexpr std::array<std::uint16_t, 8> kValues{0, 1, 149, 150, 1000, 9999, 65534, 65535};
     for (const Size grid : {Size{1, 1}, Size{1, 9}, Size{9, 1}, Size{5, 4}, Size{64, 48}}) {
         std::vector<std::uint16_t> counts;
-        for (int i = 0; i < grid.width * grid.height; ++i)
-            counts.push_back(kValues[random() % kValues.size()]);
+        std::generate_n(std::back_inserter(counts), grid.width * grid.height,
+                        [&] { return kValues[random() % kValues.size()]; });
         calib::SensorRig rig = plainRig(0.1);
         rig.depth = rig.depth.resized(grid.width, grid.height);
         const auto first = registered(rig, counts, {128, 96}, 2);

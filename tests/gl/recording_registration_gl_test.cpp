@@ -19,8 +19,8 @@ struct GreyPicture {
     std::vector<double> values;
 
     [[nodiscard]] double at(int x, int y) const {
-        return values[static_cast<std::size_t>(std::clamp(y, 0, height - 1) * width +
-                                               std::clamp(x, 0, width - 1))];
+        const int pixel = std::clamp(y, 0, height - 1) * width + std::clamp(x, 0, width - 1);
+        return values[static_cast<std::size_t>(pixel)];
     }
 };
 
@@ -84,27 +84,27 @@ class RecordingRegistrationGlTest : public GlTest {
         AUTOSTEREO_NEED_DATA("k4a-mug/recording.mkv");
         GlTest::SetUp();
         if (IsSkipped()) return;
-        input_ = devices::openInput(dataDir() / "k4a-mug/recording.mkv");
-        depth_ = std::get<devices::Frame>(input_.depth->read(devices::TimePoint::max()));
-        color_ = std::get<devices::Frame>(input_.color->read(devices::TimePoint::max()));
+        input = devices::openInput(dataDir() / "k4a-mug/recording.mkv");
+        depth = std::get<devices::Frame>(input.depth->read(devices::TimePoint::max()));
+        color = std::get<devices::Frame>(input.color->read(devices::TimePoint::max()));
     }
 
     [[nodiscard]] GreyPicture metres(const calib::SensorRig& rig) const {
-        const devices::FrameMetadata& form = depth_.metadata();
+        const devices::FrameMetadata& form = depth.metadata();
         const gpu::gl::Texture counts(GL_R16UI, form.width, form.height);
         glTextureSubImage2D(counts.name(), 0, 0, 0, form.width, form.height, GL_RED_INTEGER,
-                            GL_UNSIGNED_SHORT, depth_.depth().data());
+                            GL_UNSIGNED_SHORT, depth.depth().data());
         gpu::DepthRegistration pass({}, {}, rig);
         const calib::Intrinsics& picture = rig.color.intrinsics;
         pass.render(counts, form.depthUnitM, picture.width, picture.height);
-        std::vector<float> values(color_.pixelCount());
+        std::vector<float> values(color.pixelCount());
         glGetTextureImage(pass.metres().name(), 0, GL_RED, GL_FLOAT,
                           static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
         return {picture.width, picture.height, {values.begin(), values.end()}};
     }
 
-    devices::Input input_;
-    devices::Frame depth_, color_;
+    devices::Input input;
+    devices::Frame depth, color;
 };
 
 /// Edges of mug, cap and shelf stand before a wall of another brightness, so the picture changes
@@ -113,7 +113,7 @@ class RecordingRegistrationGlTest : public GlTest {
 /// pixels, hence no wider search).
 TEST_F(RecordingRegistrationGlTest, DepthEdgesLieOnColourEdges) {
     if (IsSkipped()) return;
-    const GreyPicture grey = luminance(color_), aligned = metres(*input_.rig);
+    const GreyPicture grey = luminance(color), aligned = metres(*input.rig);
     for (const auto& [dx, dy] : {std::array{1, 0}, std::array{0, 1}}) {
         const BestShift best = bestShift(aligned, grey, dx, dy);
         std::printf("along %s: %.2f pixels, contrast %.2f\n", dx > 0 ? "x" : "y", best.pixels,
@@ -122,7 +122,7 @@ TEST_F(RecordingRegistrationGlTest, DepthEdgesLieOnColourEdges) {
         EXPECT_GT(best.contrast, 1.3);
     }
     // It would notice: cameras wrong by two pixels.
-    calib::SensorRig wrong = *input_.rig;
+    calib::SensorRig wrong = *input.rig;
     wrong.color.intrinsics.cx += 2;
     wrong.color.intrinsics.cy -= 2;
     const GreyPicture moved = metres(wrong);

@@ -11,19 +11,19 @@ namespace {
 class ViewsGlTest : public GlTest {
   protected:
     gpu::RgbImage atlasBy(gpu::Method method) {
-        params_.synthesis.method = method;
-        pipeline_ = std::make_unique<gpu::Pipeline>(params_, pair_.rig, display_, display_.width,
-                                                    display_.height);
-        pipeline_->renderAtlas(pair_.frame);
-        const gpu::AtlasLayout& layout = pipeline_->atlas().layout();
-        return gpu::readFramebuffer(pipeline_->atlas().framebuffer(), layout.width(),
+        params.synthesis.method = method;
+        pipeline = std::make_unique<gpu::Pipeline>(params, pair.rig, display, display.width,
+                                                   display.height);
+        pipeline->renderAtlas(pair.frame);
+        const gpu::AtlasLayout& layout = pipeline->atlas().layout();
+        return gpu::readFramebuffer(pipeline->atlas().framebuffer(), layout.width(),
                                     layout.height());
     }
 
-    SimulatedPair pair_ = simulate("sim:room?depth=176x144&color=640x360&noise=off");
-    gpu::PipelineParams params_;
-    calib::DisplayProfile display_ = smallLensDisplay(3, 3, 96, 128);
-    std::unique_ptr<gpu::Pipeline> pipeline_;
+    SimulatedPair pair = simulate("sim:room?depth=176x144&color=640x360&noise=off");
+    gpu::PipelineParams params;
+    calib::DisplayProfile display = smallLensDisplay(3, 3, 96, 128);
+    std::unique_ptr<gpu::Pipeline> pipeline;
 };
 
 double meanDifference(const gpu::RgbImage& a, const gpu::RgbImage& b) {
@@ -50,11 +50,11 @@ TEST_F(ViewsGlTest, InstancedEqualsMultipass) {
 TEST_F(ViewsGlTest, AnEyeOnTheFanSeesItsTile) {
     if (IsSkipped()) return;
     const gpu::RgbImage atlas = atlasBy(gpu::Method::Instanced);
-    const double halfWidth = display_.viewingDistanceM * std::tan(display_.coneRad / 2);
-    for (int view = 0; view < display_.views; ++view) {
-        const double b = (2.0 * view + 1) / display_.views - 1;
+    const double halfWidth = display.viewingDistanceM * std::tan(display.coneRad / 2);
+    for (int view = 0; view < display.views; ++view) {
+        const double b = (2.0 * view + 1) / display.views - 1;
         const gpu::RgbImage seen = gpu::renderEye(
-            *pipeline_, params_, display_, {b * halfWidth, 0, display_.viewingDistanceM}, 96, 128);
+            *pipeline, params, display, {b * halfWidth, 0, display.viewingDistanceM}, 96, 128);
         const gpu::RgbImage tile = gpu::crop(atlas, view % 3 * 96, (2 - view / 3) * 128, 96, 128);
         EXPECT_LT(meanDifference(seen, tile), 0.1) << "view " << view; // silhouettes only
     }
@@ -64,10 +64,10 @@ TEST_F(ViewsGlTest, AnEyeOnTheFanSeesItsTile) {
 /// piecewise-linear distortion between nodes do to it.
 TEST_F(ViewsGlTest, TheUnmovedCameraSeesItsOwnPicture) {
     if (IsSkipped()) return;
-    pair_ = simulate("sim:room?depth=640x576&color=320x180&noise=off");
+    pair = simulate("sim:room?depth=640x576&color=320x180&noise=off");
     static_cast<void>(atlasBy(gpu::Method::Instanced));
-    const gpu::RgbImage seen = gpu::MovedCamera(params_, pair_.rig, {0, 0, 0}).render(*pipeline_);
-    const oracle::Picture color = colorPicture(pair_.frame.color);
+    const gpu::RgbImage seen = gpu::MovedCamera(params, pair.rig, {0, 0, 0}).render(*pipeline);
+    const oracle::Picture color = colorPicture(pair.frame.color);
     std::size_t close = 0, inside = 0;
     // The depth camera covers less than the colour camera: look at the middle.
     for (int y = 30; y < 150; ++y)
@@ -84,19 +84,20 @@ TEST_F(ViewsGlTest, TheUnmovedCameraSeesItsOwnPicture) {
 /// Registered depth against the scene itself, along the colour camera's rays.
 TEST_F(ViewsGlTest, RegisteredDepthIsTheScenes) {
     if (IsSkipped()) return;
-    pair_ = simulate("sim:room?depth=640x576&color=320x180&noise=off");
+    pair = simulate("sim:room?depth=640x576&color=320x180&noise=off");
     static_cast<void>(atlasBy(gpu::Method::Instanced));
     const gpu::DepthImage depth =
-        gpu::renderRegisteredDepth(pipeline_->depth(), 0.001, params_, pair_.rig);
+        gpu::renderRegisteredDepth(pipeline->depth(), 0.001, params, pair.rig);
     ASSERT_EQ(depth.width, 320);
     ASSERT_EQ(depth.height, 180);
     const auto scene = devices::sim::makeScene("room", 1);
     std::vector<double> errors;
     for (int y = 20; y < 160; y += 3)
         for (int x = 40; x < 280; x += 3) {
-            const auto measured = depth.millimetres[static_cast<std::size_t>(y * 320 + x)];
+            const int pixel = y * 320 + x;
+            const auto measured = depth.millimetres[static_cast<std::size_t>(pixel)];
             if (measured == 0) continue;
-            const auto ray = pair_.rig.color.unproject({x, y});
+            const auto ray = pair.rig.color.unproject({x, y});
             const auto hit = scene->trace({0, 0, 0}, glm::dvec3(*ray, 1), 0);
             errors.push_back(std::abs(measured * 1e-3 - hit.point.z));
         }

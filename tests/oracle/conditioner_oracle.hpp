@@ -31,10 +31,12 @@ struct Grid {
         return x >= 0 && y >= 0 && x < width && y < height;
     }
     [[nodiscard]] Value& at(int x, int y) {
-        return values[static_cast<std::size_t>(y * width + x)];
+        const int pixel = y * width + x;
+        return values[static_cast<std::size_t>(pixel)];
     }
     [[nodiscard]] const Value& at(int x, int y) const {
-        return values[static_cast<std::size_t>(y * width + x)];
+        const int pixel = y * width + x;
+        return values[static_cast<std::size_t>(pixel)];
     }
 };
 

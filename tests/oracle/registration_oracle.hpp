@@ -141,7 +141,8 @@ class RegistrationDrawing {
                     inside = inside && weight >= 0;
                     inverseZ += weight * p[i].inverseZ;
                 }
-                if (inside) keep(static_cast<std::size_t>(y * width_ + x), inverseZ, isMeasured);
+                const int pixel = y * width_ + x;
+                if (inside) keep(static_cast<std::size_t>(pixel), inverseZ, isMeasured);
             }
     }
 
