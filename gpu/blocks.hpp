@@ -86,7 +86,7 @@ struct EyeBlock {
 };
 static_assert(sizeof(EyeBlock) == 32);
 
-/// shaders/fill_holes.comp and background_seeds.comp, binding 3.
+/// shaders/edge_band.comp, fill_holes.comp and background_seeds.comp, binding 3.
 struct FillBlock {
     glm::ivec4 reach{0};
 };

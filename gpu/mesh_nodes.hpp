@@ -17,7 +17,7 @@ void setCameras(MeshBlock& block, const calib::SensorRig& rig, const DepthMeshPa
                 double depthUnitM);
 
 /// Fills `layer`'s points and sources. `program`: a variant of mesh_points.comp; `nodes`: counts,
-/// or samples of the background, as large as the layer. The mesh block is bound by the caller.
+/// as large as the layer. The mesh block is bound by the caller.
 void buildNodes(const gl::Program& program, const MeshLayer& layer, const gl::Texture& rays,
                 const gl::Texture& nodes);
 /// The same for the registration: RGBA32F texture coordinate in the colour image, z, count.
