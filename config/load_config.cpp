@@ -90,9 +90,11 @@ void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
     params.budget.depthScale = depth.number("scale", {0, 10}, params.budget.depthScale);
 
     auto synthesis = root.table("synthesis");
-    params.synthesis.method = synthesis.choice<gpu::Method>(
-        "method", {{"instanced", gpu::Method::Instanced}, {"multipass", gpu::Method::Multipass}},
-        params.synthesis.method);
+    params.synthesis.method = synthesis.choice<gpu::Method>("method",
+                                                            {{"direct", gpu::Method::Direct},
+                                                             {"instanced", gpu::Method::Instanced},
+                                                             {"multipass", gpu::Method::Multipass}},
+                                                            params.synthesis.method);
     params.synthesis.filter = synthesis.choice<gpu::TileFilter>(
         "filter", {{"nearest", gpu::TileFilter::Nearest}, {"linear", gpu::TileFilter::Linear}},
         params.synthesis.filter);

@@ -27,11 +27,15 @@ devices::RgbdFrame frameAt(devices::Feed& feed, std::uint64_t wanted, const std:
         " frames damaged)");
 }
 
+gpu::RgbImage readAtlas(const gpu::Atlas& atlas) {
+    return gpu::readFramebuffer(atlas.framebuffer(), atlas.layout().width(),
+                                atlas.layout().height());
+}
+
 void writeViews(const gpu::Atlas& atlas, const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
     const gpu::AtlasLayout& layout = atlas.layout();
-    const gpu::RgbImage all =
-        gpu::readFramebuffer(atlas.framebuffer(), layout.width(), layout.height());
+    const gpu::RgbImage all = readAtlas(atlas);
     for (int view = 0; view < layout.views; ++view) {
         char name[32];
         std::snprintf(name, sizeof name, "view_%02d.png", view);
@@ -60,6 +64,14 @@ int render(const RenderOptions& options) {
     setUpLog(config.log.level);
     if (options.method) config.pipeline.synthesis.method = *options.method;
     const Picture as = options.as.value_or(Picture::Panel);
+    const bool wantsTiles = as == Picture::Quilt || as == Picture::Views;
+    gpu::Method& method = config.pipeline.synthesis.method;
+    if (wantsTiles && method == gpu::Method::Direct) {
+        if (options.method)
+            throw UsageError("render: --method direct draws no views: for --as quilt and --as "
+                             "views name another one (allowed: instanced, multipass)");
+        method = gpu::Method::Instanced;
+    }
     const calib::DisplayProfile display = displayAs(as, chooseDisplay(config));
     devices::Input input = openScene(config);
     const calib::SensorRig rig = *input.rig;
@@ -71,7 +83,6 @@ int render(const RenderOptions& options) {
     gpu::Pipeline pipeline(config.pipeline, rig, display, size.width, size.height);
     pipeline.render(frame, panel.framebuffer());
 
-    const gpu::AtlasLayout& layout = pipeline.atlas().layout();
     switch (as) {
     case Picture::Panel:
     case Picture::DepthFrame:
@@ -81,11 +92,10 @@ int render(const RenderOptions& options) {
                         gpu::readFramebuffer(panel.framebuffer(), size.width, size.height));
         break;
     case Picture::Quilt:
-        writePicturePng(options.output, gpu::readFramebuffer(pipeline.atlas().framebuffer(),
-                                                             layout.width(), layout.height()));
+        writePicturePng(options.output, readAtlas(*pipeline.atlas()));
         break;
     case Picture::Views:
-        writeViews(pipeline.atlas(), options.output);
+        writeViews(*pipeline.atlas(), options.output);
         break;
     case Picture::View:
         writePicturePng(

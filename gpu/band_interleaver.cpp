@@ -15,6 +15,7 @@ std::vector<std::string> variant(const calib::BandMap& map, const InterleaverPar
     if (map.waveform) defines.emplace_back("WAVEFORM");
     if (params.fringe > 0) defines.emplace_back("FRINGE");
     if (params.filter == TileFilter::Nearest) defines.emplace_back("NEAREST");
+    if (params.search) defines.emplace_back("SEARCH");
     return defines;
 }
 
@@ -44,6 +45,7 @@ BandInterleaver::BandInterleaver(const calib::BandMap& map, const InterleaverPar
     pass_.block().fan = {map.eyes.size(), 0U, map.start, map.width};
     pass_.block().panel.w = static_cast<int>(map.eyes.size());
     pass_.block().edge.x = 1.0F / static_cast<float>(std::max(1, params.fringe));
+    if (params.search) pass_.setSearch(*params.search);
     if (map.waveform) {
         edges_ = edgesTexture(*map.waveform);
         pass_.block().edge.y = static_cast<float>(map.waveform->negativeLobe);
@@ -60,7 +62,7 @@ void BandInterleaver::render(const DrawnViews& views, GLuint framebuffer) {
     uniforms_.bind(4, phases_);
     grid_.bind();
     glBindTextureUnit(1, edges_.name());
-    pass_.draw(*views.atlas, framebuffer);
+    pass_.draw(views.atlas, framebuffer);
 }
 
 } // namespace autostereo::gpu

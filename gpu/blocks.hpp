@@ -50,16 +50,18 @@ struct InterleaverBlock {
     glm::ivec4 panel{0};
     glm::vec4 edge{0};
     glm::vec4 scale{0};
+    glm::vec4 fine{0};
+    glm::vec4 rig{0};
     glm::uvec4 atlasRow{0};
 };
-static_assert(sizeof(InterleaverBlock) == 96);
+static_assert(sizeof(InterleaverBlock) == 128);
 
 /// shaders/affine_phase.glsl, binding 4, for so many eyes (left to right).
 template<std::size_t Eyes>
 struct PhaseBlock {
     static constexpr std::size_t kCells = calib::AffinePhase::kCells;
 
-    std::array<glm::uvec4, Eyes> law{};
+    std::array<glm::uvec4, Eyes> phaseSteps{};
     std::array<glm::uvec4, Eyes * kCells> channels{};
 
     void set(std::size_t eye, const calib::AffinePhase& phase) {
@@ -69,8 +71,8 @@ struct PhaseBlock {
         const auto lower = [](std::uint64_t number) {
             return static_cast<std::uint32_t>(number & 0xffff);
         };
-        law.at(eye) = {upper(phase.perColumn), upper(phase.perRow), lower(phase.perColumn),
-                       lower(phase.perRow)};
+        phaseSteps.at(eye) = {upper(phase.perColumn), upper(phase.perRow), lower(phase.perColumn),
+                              lower(phase.perRow)};
         for (std::size_t cell = 0; cell < kCells; ++cell) {
             const auto& [red, green, blue] = phase.channels[cell];
             channels.at(eye * kCells + cell) = {red, green, blue, 0U};

@@ -28,7 +28,7 @@ DepthFramePacker::DepthFramePacker(const calib::DepthFrame& frame, int width, in
 void DepthFramePacker::render(const DrawnViews& views, GLuint framebuffer) {
     glBindTextureUnit(1, views.disparity->name());
     glBindTextureUnit(2, header_.name());
-    pass_.draw(*views.atlas, framebuffer);
+    pass_.draw(views.atlas, framebuffer);
 }
 
 } // namespace autostereo::gpu

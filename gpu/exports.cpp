@@ -1,6 +1,7 @@
 #include "gpu/exports.hpp"
 
 #include "gpu/depth_registration.hpp"
+#include "gpu/views/layer_mesher.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,21 +26,22 @@ struct Target {
 
 /// What a camera of its own kind sees of layers.
 struct Shot {
-    const MeshLayers& layers;
+    CyclopeanScene scene;
     const MeshBlock& mesh;
-    const gl::Texture& color;
 };
 
 RgbImage renderColor(const Shot& shot, const PipelineParams& params, const gl::Program& program,
                      const EyeBlock& eye, const Target& target) {
     LayerDrawer drawer(params.mesh);
+    LayerMesher mesher;
     gl::UniformBuffer<MeshBlock> mesh;
     gl::UniformBuffer<EyeBlock> uniforms;
     mesh.bind(0, shot.mesh);
     uniforms.bind(3, eye);
+    const MeshLayers& layers = mesher.build(shot.scene);
     target.clear(params.clearColor);
     program.use();
-    drawer.draw(shot.layers, shot.color, {1, 1, 0, 0}, 1);
+    drawer.draw(layers, shot.scene.color, {1, 1, 0, 0}, 1);
     return readFramebuffer(target.framebuffer.name(), target.color.width(), target.color.height());
 }
 
@@ -51,8 +53,8 @@ RgbImage renderEye(const Pipeline& pipeline, const PipelineParams& params,
     const EyeBlock block{glm::dvec4(eye, display.viewingDistanceM) / display.widthM,
                          glm::dvec4(pipeline.geometry().law.fanHalfWidth,
                                     static_cast<double>(height) / width, 0, 0)};
-    return renderColor({pipeline.fusion().layers(), pipeline.mesh().block(), pipeline.color()},
-                       params, program, block, Target(GL_RGBA8, width, height));
+    return renderColor({pipeline.scene(), pipeline.mesh().block()}, params, program, block,
+                       Target(GL_RGBA8, width, height));
 }
 
 MovedCamera::MovedCamera(const PipelineParams& params, const calib::SensorRig& rig,
@@ -66,7 +68,7 @@ RgbImage MovedCamera::render(const Pipeline& pipeline) {
     fusion_.fuse(mesh_.layer(), pipeline.color(), geometry_);
     glEnable(GL_CLIP_DISTANCE0);
     RgbImage image =
-        renderColor({fusion_.layers(), mesh_.block(), pipeline.color()}, params_, program_,
+        renderColor({fusion_.scene(pipeline.color()), mesh_.block()}, params_, program_,
                     {glm::dvec4(offset_, 0), {}},
                     Target(GL_RGBA8, rig_.color.intrinsics.width, rig_.color.intrinsics.height));
     glDisable(GL_CLIP_DISTANCE0);

@@ -3,12 +3,14 @@
 #include "calib/panel_map.hpp"
 #include "gpu/atlas.hpp"
 #include "gpu/params.hpp"
+#include "gpu/search_params.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace autostereo::gpu {
 
-/// What the panel is filled from.
+/// What the panel is filled from; nothing where the layers are searched.
 struct DrawnViews {
     const Atlas* atlas = nullptr;
     const gl::Texture* disparity = nullptr; ///< R32F, tile-sized; depth frames only
@@ -26,7 +28,8 @@ class Interleaver {
 struct InterleaverParams {
     TileFilter filter = TileFilter::Linear;
     ViewFilter views = ViewFilter::Nearest;
-    int fringe = 0; ///< pixels of fade at the panel's border
+    int fringe = 0;                       ///< pixels of fade at the panel's border
+    std::optional<SearchParams> search{}; ///< in place of tiles
 };
 
 /// Throws GlError.

@@ -9,22 +9,34 @@ PanelPass::PanelPass(const std::string& fragmentShader, const std::vector<std::s
     : width_(width), height_(height), program_({"full_screen.vert", fragmentShader}, defines),
       vertexArray_(gl::makeVertexArray()) {
     block_.panel = {width_, height_, 1, 1};
+    block_.fine = {1.0F / static_cast<float>(width_), 1.0F / static_cast<float>(height_), 0.0F,
+                   0.0F};
 }
 
-void PanelPass::draw(const Atlas& atlas, GLuint framebuffer) {
+void PanelPass::draw(const Atlas* atlas, GLuint framebuffer) {
+    if (atlas != nullptr) useTiles(*atlas);
+    uniforms_.bind(2, block_);
+    program_.use();
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, width_, height_);
+    glBindVertexArray(vertexArray_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void PanelPass::setSearch(const SearchParams& params) {
+    constexpr double kCycle = 4294967296.0; // 2^32
+    block_.fine.z = static_cast<float>(params.channelStep);
+    block_.rig = {params.firstPosition, params.positionPerCycle / kCycle, 0, 0};
+}
+
+void PanelPass::useTiles(const Atlas& atlas) {
     const calib::QuiltLayout& quilt = atlas.layout().quilt;
     block_.tiles = {quilt.columns, quilt.tileWidth, quilt.tileHeight, 0};
     block_.scale = {static_cast<float>(quilt.tileWidth) / static_cast<float>(width_),
                     static_cast<float>(quilt.tileHeight) / static_cast<float>(height_), 0.0F, 0.0F};
     const auto columns = static_cast<std::uint32_t>(quilt.columns);
     block_.atlasRow.x = ((1U << 20) + columns - 1) / columns;
-    uniforms_.bind(2, block_);
-    program_.use();
     glBindTextureUnit(0, atlas.color().name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, width_, height_);
-    glBindVertexArray(vertexArray_.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 gl::Texture tableTexture(int channels, int width, int height, const std::uint32_t* numbers) {

@@ -4,6 +4,7 @@
 #include "gpu/blocks.hpp"
 #include "gpu/gl/program.hpp"
 #include "gpu/gl/uniform_buffer.hpp"
+#include "gpu/search_params.hpp"
 
 #include <cstdint>
 #include <string>
@@ -11,7 +12,8 @@
 
 namespace autostereo::gpu {
 
-/// What every interleaver does alike: one triangle over the panel that reads the atlas' tiles.
+/// What every interleaver does alike: one triangle over the panel that reads the atlas' tiles, or
+/// searches the layers.
 /// Thread-bound.
 class PanelPass {
   public:
@@ -21,10 +23,13 @@ class PanelPass {
 
     /// Set once, before drawing; the tiles' sizes are filled in per draw.
     InterleaverBlock& block() { return block_; }
-    /// Textures beyond the atlas are bound by the caller.
-    void draw(const Atlas& atlas, GLuint framebuffer);
+    void setSearch(const SearchParams& params);
+    /// Textures beyond the atlas are bound by the caller; without one, all of them.
+    void draw(const Atlas* atlas, GLuint framebuffer);
 
   private:
+    void useTiles(const Atlas& atlas);
+
     int width_, height_;
     InterleaverBlock block_;
     gl::UniformBuffer<InterleaverBlock> uniforms_;

@@ -8,10 +8,12 @@
 
 namespace autostereo::gpu {
 
-/// How the N views come to their tiles.
-enum class Method { Instanced, Multipass };
+/// How the views come to the panel: searched for by each of its sub-pixels, or drawn into tiles.
+enum class Method { Direct, Instanced, Multipass };
 /// How a sub-pixel reads its tile.
 enum class TileFilter { Nearest, Linear };
+/// Eyes that the direct method shows: those of the display's views, or one for every phase.
+enum class ViewPositions { OfViews, Continuous };
 /// What a sub-pixel shows between two views: the one whose interval it lies in, or a mix that goes
 /// over to the next view across that interval (as Looking Glass's own players have it).
 enum class ViewFilter { Nearest, Blend };
@@ -78,9 +80,10 @@ struct DepthBudgetParams {
 };
 
 struct SynthesisParams {
-    Method method = Method::Instanced;
+    Method method = Method::Direct;
     TileFilter filter = TileFilter::Linear;
     ViewFilter views = ViewFilter::Nearest;
+    ViewPositions positions = ViewPositions::Continuous;
 };
 
 struct PipelineParams {

@@ -2,29 +2,12 @@
 
 namespace autostereo::gpu {
 
-namespace {
-
-std::optional<DisparityView> disparityView(const PipelineParams& params,
-                                           const calib::DisplayProfile& display,
-                                           const calib::QuiltLayout& tiles) {
-    if (!std::holds_alternative<calib::DepthFrame>(display.law)) return std::nullopt;
-    return std::make_optional<DisparityView>(params.mesh, tiles.tileWidth, tiles.tileHeight,
-                                             display.disparityFar);
-}
-
-} // namespace
-
 Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
                    const calib::DisplayProfile& display, int panelWidth, int panelHeight)
     : params_(params), rig_(rig), display_(display),
       panelAspect_(static_cast<double>(panelWidth) / panelHeight),
       conditioner_(params.condition, params.mesh, rig.depth), mesh_(params.mesh, rig),
-      fusion_(params, rig), atlas_(atlasLayout(display, panelWidth, panelHeight)),
-      views_(makeViewSynthesis(params.synthesis.method, display, params)),
-      disparity_(disparityView(params, display, atlas_.layout().quilt)),
-      interleaver_(makeInterleaver(
-          calib::panelMap(display, panelWidth, panelHeight), panelWidth, panelHeight,
-          {params.synthesis.filter, params.synthesis.views, display.fringe})) {}
+      fusion_(params, rig), views_(makeViewSynthesis(params, display, panelWidth, panelHeight)) {}
 
 template<class Pass>
 void Pipeline::timed(std::size_t stage, Pass pass) {
@@ -34,24 +17,19 @@ void Pipeline::timed(std::size_t stage, Pass pass) {
     if (milliseconds && stageTime_) stageTime_(stage, *milliseconds);
 }
 
-void Pipeline::renderAtlas(const devices::RgbdFrame& frame) {
+void Pipeline::prepare(const devices::RgbdFrame& frame) {
     if (!placed_) placeScene(frame.depth);
     timed(0, [&] { uploader_.upload(frame); });
     const double unitM = frame.depth.metadata().depthUnitM;
     timed(1, [&] { conditioner_.condition(uploader_.depth(), uploader_.amplitude(), unitM); });
     timed(2, [&] { mesh_.build(conditioner_.depth(), unitM, geometry_); });
     timed(3, [&] { fusion_.fuse(mesh_.layer(), uploader_.color(), geometry_); });
-    timed(4, [&] {
-        views_->render(fusion_.layers(), uploader_.color(), atlas_);
-        if (disparity_) disparity_->render(fusion_.layers(), uploader_.color());
-    });
+    timed(4, [&] { views_->prepare(scene()); });
 }
 
 void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
-    renderAtlas(frame);
-    timed(5, [&] {
-        interleaver_->render({&atlas_, disparity_ ? &disparity_->texture() : nullptr}, panel);
-    });
+    prepare(frame);
+    timed(5, [&] { views_->show(scene(), panel); });
 }
 
 void Pipeline::placeScene(const devices::Frame& depth) {

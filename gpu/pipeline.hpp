@@ -4,17 +4,14 @@
 #include "devices/frame.hpp"
 #include "gpu/depth_conditioner.hpp"
 #include "gpu/depth_mesh.hpp"
-#include "gpu/disparity_view.hpp"
 #include "gpu/frame_uploader.hpp"
 #include "gpu/fusion/fusion.hpp"
 #include "gpu/gl/timer.hpp"
-#include "gpu/interleaver.hpp"
-#include "gpu/view_synthesis.hpp"
+#include "gpu/views/view_synthesis.hpp"
 
 #include <array>
 #include <functional>
 #include <memory>
-#include <optional>
 
 namespace autostereo::gpu {
 
@@ -33,16 +30,16 @@ class Pipeline {
 
     /// Draws one pair of frames into the panel's framebuffer.
     void render(const devices::RgbdFrame& frame, GLuint panel);
-    /// Up to the atlas only.
-    void renderAtlas(const devices::RgbdFrame& frame);
+    /// All but filling the panel.
+    void prepare(const devices::RgbdFrame& frame);
     void onStageTime(StageTime receiver) { stageTime_ = std::move(receiver); }
 
-    [[nodiscard]] const Atlas& atlas() const { return atlas_; }
+    /// None where the method draws no views.
+    [[nodiscard]] const Atlas* atlas() const { return views_->atlas(); }
     [[nodiscard]] const DepthConditioner& conditioner() const { return conditioner_; }
     [[nodiscard]] const DepthMesh& mesh() const { return mesh_; }
     [[nodiscard]] const Fusion& fusion() const { return fusion_; }
-    /// What a display of type 2d_plus_depth gets beside the picture; none on others.
-    [[nodiscard]] const std::optional<DisparityView>& disparity() const { return disparity_; }
+    [[nodiscard]] CyclopeanScene scene() const { return fusion_.scene(uploader_.color()); }
     /// Conditioned counts, R16UI.
     [[nodiscard]] const gl::Texture& depth() const { return conditioner_.depth(); }
     [[nodiscard]] const gl::Texture& color() const { return uploader_.color(); }
@@ -66,10 +63,7 @@ class Pipeline {
     DepthConditioner conditioner_;
     DepthMesh mesh_;
     Fusion fusion_;
-    Atlas atlas_;
     std::unique_ptr<ViewSynthesis> views_;
-    std::optional<DisparityView> disparity_; ///< for displays that make their views themselves
-    std::unique_ptr<Interleaver> interleaver_;
     std::array<gl::Timer, kStages.size()> timers_;
     StageTime stageTime_;
 };

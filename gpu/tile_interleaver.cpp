@@ -2,12 +2,24 @@
 
 namespace autostereo::gpu {
 
+namespace {
+
+std::vector<std::string> variant(const InterleaverParams& params) {
+    std::vector<std::string> defines;
+    if (params.filter == TileFilter::Nearest) defines.emplace_back("NEAREST");
+    if (params.search) defines.emplace_back("SEARCH");
+    return defines;
+}
+
+} // namespace
+
 TileInterleaver::TileInterleaver(const calib::TileFrame& frame, int width, int height,
                                  const InterleaverParams& params)
-    : pass_("tile_interleaver.frag",
-            params.filter == TileFilter::Nearest ? std::vector<std::string>{"NEAREST"}
-                                                 : std::vector<std::string>{},
-            width, height) {
+    : pass_("tile_interleaver.frag", variant(params), width, height) {
+    if (params.search) {
+        pass_.block().fan.x = static_cast<std::uint32_t>(params.search->views);
+        pass_.setSearch(*params.search);
+    }
     pass_.block().fan.y = frame.topFirst ? 1U : 0U;
     pass_.block().fan.z = frame.swapped ? 1U : 0U;
     pass_.block().panel.z = frame.rows;
@@ -15,8 +27,9 @@ TileInterleaver::TileInterleaver(const calib::TileFrame& frame, int width, int h
 }
 
 void TileInterleaver::render(const DrawnViews& views, GLuint framebuffer) {
-    pass_.block().fan.x = static_cast<std::uint32_t>(views.atlas->layout().views);
-    pass_.draw(*views.atlas, framebuffer);
+    if (views.atlas != nullptr)
+        pass_.block().fan.x = static_cast<std::uint32_t>(views.atlas->layout().views);
+    pass_.draw(views.atlas, framebuffer);
 }
 
 } // namespace autostereo::gpu

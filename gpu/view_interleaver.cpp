@@ -20,6 +20,8 @@ std::vector<std::string> variant(const calib::ViewMap& map, const InterleaverPar
     if (params.fringe > 0) defines.emplace_back("FRINGE");
     if (params.filter == TileFilter::Nearest) defines.emplace_back("NEAREST");
     if (params.views == ViewFilter::Blend) defines.emplace_back("BLEND");
+    if (params.search) defines.emplace_back("SEARCH");
+    if (params.search && params.search->continuous) defines.emplace_back("CONTINUOUS");
     return defines;
 }
 
@@ -33,6 +35,7 @@ ViewInterleaver::ViewInterleaver(const calib::ViewMap& map, const InterleaverPar
     phase_.set(0, tables.affine);
     pass_.block().panel.z = std::max(1, tables.pattern.rows);
     pass_.block().edge.x = 1.0F / static_cast<float>(std::max(1, params.fringe));
+    if (params.search) pass_.setSearch(*params.search);
     if (tables.lut)
         phaseTable_ = tableTexture(3, tables.width, tables.height, tables.lut->data());
     else if (tables.pattern.rows > 0)
@@ -47,7 +50,7 @@ void ViewInterleaver::render(const DrawnViews& views, GLuint framebuffer) {
     glBindTextureUnit(1, phaseTable_.name());
     grid_.bind();
     glBindTextureUnit(6, remap_.name());
-    pass_.draw(*views.atlas, framebuffer);
+    pass_.draw(views.atlas, framebuffer);
 }
 
 } // namespace autostereo::gpu

@@ -3,6 +3,7 @@
 #include "calib/sensor_rig.hpp"
 #include "gpu/blocks.hpp"
 #include "gpu/fusion/background_layer.hpp"
+#include "gpu/fusion/cyclopean_scene.hpp"
 #include "gpu/fusion/hole_filler.hpp"
 #include "gpu/layer_drawer.hpp"
 #include "gpu/mesh_layer.hpp"
@@ -11,8 +12,8 @@
 
 namespace autostereo::gpu {
 
-/// Measured mesh + colour -> the cyclopean scene and its background as layers for the views: the
-/// mesh is drawn once into the cyclopean view, holes are filled, the hidden is continued.
+/// Measured mesh + colour -> the cyclopean scene and its background: the mesh is drawn once into
+/// the cyclopean view, holes are filled, the hidden is continued.
 /// After de Sorbier 2010, sections II.C and IV (the future work it names). Thread-bound.
 class Fusion {
   public:
@@ -21,7 +22,10 @@ class Fusion {
     /// `measured`: the depth grid's mesh (DepthMesh), whose MeshBlock is still at binding 0;
     /// `picture`: the colour camera's.
     void fuse(const MeshLayer& measured, const gl::Texture& picture, const SceneGeometry& geometry);
-    [[nodiscard]] const MeshLayers& layers() const { return layers_; }
+    /// `picture`: the one that was fused.
+    [[nodiscard]] CyclopeanScene scene(const gl::Texture& picture) const {
+        return {holes_.depth(), picture, background_.depth(), background_.color()};
+    }
     [[nodiscard]] const gl::Texture& measuredDepth() const { return depth_; } ///< R32F, m; 0: none
     [[nodiscard]] const HoleFiller& holes() const { return holes_; }
     [[nodiscard]] const BackgroundLayer& background() const { return background_; }
@@ -29,17 +33,15 @@ class Fusion {
   private:
     void resize(int columns, int rows);
     void drawCyclopean(const MeshLayer& measured);
-    void buildLayers();
 
     FusionParams params_;
     calib::SensorRig rig_;
     LayerDrawer drawer_;
-    gl::Program cyclopean_, quads_, nodes_;
+    gl::Program cyclopean_;
     HoleFiller holes_;
     BackgroundLayer background_;
     gl::Texture depth_, depthTest_;
     gl::Framebuffer framebuffer_;
-    MeshLayers layers_;
     calib::Framing framing_; ///< of what the background remembers
 };
 

@@ -21,13 +21,15 @@ std::string_view embedded(std::string_view name) {
 
 std::string shaderSource(std::string_view name, const std::vector<std::string>& defines) {
     constexpr std::string_view kInclude = "#include \"";
+    constexpr std::size_t kMost = 1U << 20; // bytes of a shader with all that it includes
     std::string text(embedded(name));
     for (auto at = text.find(kInclude); at != std::string::npos; at = text.find(kInclude, at)) {
         const auto nameAt = at + kInclude.size();
         const auto end = text.find('"', nameAt);
         const auto included = embedded(std::string_view(text).substr(nameAt, end - nameAt));
         text.replace(at, end + 1 - at, included);
-        at += included.size(); // one level: what was included is not searched again
+        if (text.size() > kMost)
+            throw GlError("gl: shader " + std::string(name) + " includes itself");
     }
     std::string lines;
     for (const std::string& define : defines)

@@ -3,7 +3,7 @@
 #define EYES 1
 #endif
 layout(std140, binding = 4) uniform PhaseBlock {
-    uvec4 law[EYES];          // per column, per row: high 32 bits; low 16 bits
+    uvec4 phaseSteps[EYES];          // per column, per row: high 32 bits; low 16 bits
     uvec4 channels[EYES * 8]; // R, G, B of each cell: offset included
 };
 
@@ -14,6 +14,6 @@ uvec3 affinePhases(int eye, uvec2 place) {
 #else
     int cell = 8 * eye;
 #endif
-    uint low = place.x * law[eye].z + place.y * law[eye].w + 0x8000u;
-    return place.x * law[eye].x + place.y * law[eye].y + (low >> 16) + channels[cell].xyz;
+    uint low = place.x * phaseSteps[eye].z + place.y * phaseSteps[eye].w + 0x8000u;
+    return place.x * phaseSteps[eye].x + place.y * phaseSteps[eye].y + (low >> 16) + channels[cell].xyz;
 }

@@ -2,6 +2,11 @@
 // The Combiner (Kooima 2007, section 3.5) for any number of eyes: each eye's view where its band of
 // the barrier or lens is lit, the maximum where bands overlap.
 #include "interleaver_block.glsl"
+#ifdef SEARCH
+#include "searched_samples.glsl"
+#else
+#include "tile_samples.glsl"
+#endif
 
 #define EYES 16
 #include "affine_phase.glsl"
@@ -28,7 +33,7 @@ float weight(uint phase, int channel) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy); // y up
     ivec2 place = ivec2(pixel.x, panel.y - 1 - pixel.y);
-    TilePlace shown = placeInTile(pixel);
+    Place shown = placeOf(pixel);
     vec3 brightest = vec3(0.0), lobes = vec3(0.0);
     uint grid = gridPhase(place); // of the sheet, whoever looks
     for (int eye = 0; eye < panel.w; ++eye) {

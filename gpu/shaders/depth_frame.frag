@@ -2,6 +2,7 @@
 // 2D-plus-depth frame: the picture in the left half, its disparity as grey in the right half, the
 // header's bits in the blue of the top row.
 #include "interleaver_block.glsl"
+#include "tile_samples.glsl"
 
 layout(binding = 1) uniform sampler2D disparity; // panel widths at |b| = 1, in the tile's own size
 #ifdef HEADER

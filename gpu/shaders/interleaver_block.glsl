@@ -1,55 +1,14 @@
-// Shared by everything that reads tiles for the panel; twin of InterleaverBlock.
+// Shared by everything that fills the panel; twin of InterleaverBlock.
 layout(std140, binding = 2) uniform InterleaverBlock {
     uvec4 fan;   // views; 1: tiles from the top; start and width of lit bands, 1: tiles swapped
     ivec4 tiles; // columns of the atlas; tile width, height
     ivec4 panel; // width, height; rows after which column phases repeat; eyes or panel tiles across
     vec4 edge;   // 1 / pixels of fade at the border; negative lobe; grey: screen, gain
-    vec4 scale;  // texels of a tile per pixel of the panel, x and y
+    vec4 scale;  // per pixel of the panel, x and y: texels of a tile
+    vec4 fine;   // search: panel per pixel, x and y; from a channel to the next, panel widths
+    vec4 rig;    // search: b at phase 0, b per 2^-32 cycle
     uvec4 atlasRow; // 2^20 / columns of the atlas, rounded up
 };
-
-layout(binding = 0) uniform sampler2D atlas;
-
-// Lower left texel of a view's tile. Division by the atlas' columns as a product, because whole
-// division is slow where the GPU is a CPU; exact for views up to 1000 in up to 100 columns.
-ivec2 tileOrigin(int view) {
-    int row = int((uint(view) * atlasRow.x) >> 20);
-    return ivec2(view - row * tiles.x, row) * tiles.yz;
-}
-
-// One channel of view `view` at `place` (texels of its tile, the first centre at 0.5); never reads a
-// neighbouring tile.
-float sampleView(int view, vec2 place, int channel) {
-    ivec2 origin = tileOrigin(view);
-    ivec2 last = tiles.yz - 1;
-    vec2 low = floor(place - 0.5), weight = place - 0.5 - low;
-    ivec2 a = origin + clamp(ivec2(low), ivec2(0), last);
-    ivec2 b = origin + clamp(ivec2(low) + 1, ivec2(0), last);
-    float bottom = mix(texelFetch(atlas, a, 0)[channel],
-                       texelFetch(atlas, ivec2(b.x, a.y), 0)[channel], weight.x);
-    float top = mix(texelFetch(atlas, ivec2(a.x, b.y), 0)[channel],
-                    texelFetch(atlas, b, 0)[channel], weight.x);
-    return mix(bottom, top, weight.y);
-}
-
-// Where a pixel (from the bottom left) of a panel that the whole picture fills lies in every tile:
-// texels, or the one texel.
-#ifdef NEAREST
-#define TilePlace ivec2
-ivec2 placeInTile(ivec2 pixel) {
-    // floor((2 pixel + 1) tile / (2 panel)): a guess in float, made exact in whole numbers.
-    ivec2 texel = ivec2((vec2(pixel) + 0.5) * scale.xy);
-    ivec2 rest = (2 * pixel + 1) * tiles.yz - texel * (2 * panel.xy);
-    return texel + ivec2(greaterThanEqual(rest, 2 * panel.xy)) - ivec2(lessThan(rest, ivec2(0)));
-}
-float samplePlace(int view, ivec2 texel, int channel) {
-    return texelFetch(atlas, tileOrigin(view) + texel, 0)[channel];
-}
-#else
-#define TilePlace vec2
-vec2 placeInTile(ivec2 pixel) { return (vec2(pixel) + 0.5) * scale.xy; }
-float samplePlace(int view, vec2 place, int channel) { return sampleView(view, place, channel); }
-#endif
 
 // Towards black over the outermost pixels.
 float fade(ivec2 pixel) {

@@ -6,6 +6,7 @@
 #include "camera.glsl"
 #include "disparity.glsl"
 #include "cyclopean_grid.glsl"
+#include "layer_corner.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
@@ -14,33 +15,15 @@ layout(rgba32f, binding = 0) uniform writeonly image2D points; // u, v, disparit
 layout(rg32f, binding = 1) uniform writeonly image2D sources;  // texture coordinate
 layout(std430, binding = 0) writeonly buffer Indices { uint indices[]; };
 
-float depthAt(ivec2 texel, ivec2 size) {
-    bool onGrid = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, size));
-    return onGrid ? texelFetch(filled, texel, 0).x : 0.0;
-}
-
-bool areOne(float a, float b) {
-    return a > 0.0 && b > 0.0 && !isBehind(a, b) && !isBehind(b, a);
-}
-
 // Writes a corner; the number of the vertex that stands for it.
 uint corner(ivec2 texel, ivec2 side, float own, ivec2 size) {
-    float disparity = 0.0, inverse = 0.0, parts = 0.0, nearest = own, farthest = own;
-    for (int i = 0; i < 4; ++i) {
-        float z = depthAt(texel + side - ivec2(i & 1, i >> 1), size);
-        nearest = min(nearest, z);
-        farthest = max(farthest, z);
-        if (!areOne(own, z)) continue;
-        disparity += disparityAt(z, law, budget.xy);
-        inverse += 1.0 / z;
-        parts += 1.0;
-    }
+    Corner found = cornerOf(filled, texel + side, own, false);
     ivec2 vertex = 2 * texel + side;
     vec2 uv = panelFromTexel(vec2(texel + side) - 0.5);
-    imageStore(points, vertex, vec4(uv, disparity / parts, parts / inverse));
+    imageStore(points, vertex, vec4(uv, found.disparity, found.z));
     imageStore(sources, vertex, vec4(sourceFromPanel(uv), 0.0, 0.0));
     ivec2 owner = texel + side;
-    bool one = areOne(nearest, farthest) && all(lessThan(owner, size));
+    bool one = areOne(found.nearest, found.farthest) && all(lessThan(owner, size));
     ivec2 standing = one ? 2 * owner : vertex;
     return uint(standing.y * 2 * size.x + standing.x);
 }

@@ -2,6 +2,11 @@
 // Whole views in tiles of the panel: half frames and quilts. What floor(panel / count) leaves over
 // at the right, and opposite the first row of tiles, stays black.
 #include "interleaver_block.glsl"
+#ifdef SEARCH
+#include "searched_samples.glsl"
+#else
+#include "tile_samples.glsl"
+#endif
 
 layout(location = 0) out vec4 color;
 
@@ -18,10 +23,6 @@ void main() {
     if (fan.z != 0u) view = int(fan.x) - 1 - view;
     vec2 inside = vec2(place - tile * size) + 0.5;
     if (topFirst) inside.y = float(size.y) - inside.y;
-    vec2 texel = inside * vec2(tiles.yz) / vec2(size);
-#ifdef NEAREST
-    texel = floor(texel) + 0.5;
-#endif
     for (int channel = 0; channel < 3; ++channel)
-        color[channel] = sampleView(view, texel, channel);
+        color[channel] = sampleShare(view, inside / vec2(size), channel);
 }

@@ -2,6 +2,11 @@
 // Each sub-pixel takes its colour channel from the tile of the view that its lens sends where that
 // view belongs. Phase in wrapping fixed point: 2^32 = one cycle.
 #include "interleaver_block.glsl"
+#ifdef SEARCH
+#include "searched_samples.glsl"
+#else
+#include "tile_samples.glsl"
+#endif
 
 #include "affine_phase.glsl"
 #include "grid_phase.glsl"
@@ -27,7 +32,7 @@ uvec3 phasesAt(ivec2 place) {
 #endif
 }
 
-float show(uint vendor, TilePlace place, int channel) {
+float show(uint vendor, Place place, int channel) {
 #ifdef REMAP
     uint view = texelFetch(remap, ivec2(vendor, 0), 0).x;
     if (view == kBlack) return 0.0;
@@ -39,7 +44,10 @@ float show(uint vendor, TilePlace place, int channel) {
     return samplePlace(int(view), place, channel);
 }
 
-float subpixel(uint cycles, TilePlace place, int channel) {
+float subpixel(uint cycles, Place place, int channel) {
+#ifdef CONTINUOUS
+    return sampleEye(clamp(rig.x + rig.y * float(cycles), -1.0, 1.0), place, channel);
+#else
     uint vendor, fraction;
     umulExtended(cycles, fan.x, vendor, fraction);
 #ifdef BLEND
@@ -50,6 +58,7 @@ float subpixel(uint cycles, TilePlace place, int channel) {
 #else
     return show(vendor, place, channel);
 #endif
+#endif
 }
 
 void main() {
@@ -57,11 +66,18 @@ void main() {
     ivec2 place = ivec2(pixel.x, panel.y - 1 - pixel.y);
     uvec3 phases = phasesAt(place);
 #ifdef UPSIDE_DOWN
-    TilePlace shown = placeInTile(place);
+    Place shown = placeOf(place);
 #else
-    TilePlace shown = placeInTile(pixel);
+    Place shown = placeOf(pixel);
 #endif
+#ifdef SEARCH
+    // As a loop: three searches in a row take minutes to compile where the GPU is a CPU.
+    color.a = 1.0;
+    for (int channel = 0; channel < 3; ++channel)
+        color[channel] = subpixel(phases[channel], shown, channel);
+#else
     color = vec4(subpixel(phases.x, shown, 0), subpixel(phases.y, shown, 1),
                  subpixel(phases.z, shown, 2), 1.0);
+#endif
     color.rgb *= fade(pixel);
 }

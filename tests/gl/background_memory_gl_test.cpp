@@ -28,7 +28,7 @@ class BackgroundMemoryGlTest : public GlTest {
             pipeline = std::make_unique<gpu::Pipeline>(
                 params, devices::sim::simulatedRig(kWidth, kHeight, 64, 48), display, 96, 128);
         }
-        pipeline->renderAtlas(frame);
+        pipeline->prepare(frame);
     }
     void showWall(int count, int frames) {
         for (int i = 0; i < frames; ++i)
@@ -130,10 +130,10 @@ TEST_F(BackgroundMemoryGlTest, WhatAVisitorHidesIsNearlyAsGoodAsWhatIsSeen) {
         gpu::Pipeline gpuStages({}, person.rig, display, 96, 128);
         gpu::MovedCamera camera({}, person.rig, kOffset);
         for (int i = 0; i < roomFrames; ++i) {
-            gpuStages.renderAtlas(room.frame);
+            gpuStages.prepare(room.frame);
             static_cast<void>(camera.render(gpuStages));
         }
-        gpuStages.renderAtlas(person.frame);
+        gpuStages.prepare(person.frame);
         found[roomFrames > 0 ? 1 : 0] = judge(camera.render(gpuStages), person.rig, kOffset, 0.004);
     }
     std::printf("never seen: %.2f dB, seen %.2f; remembered: %.2f, %.2f (%zu pixels hidden)\n",

@@ -54,15 +54,17 @@ TEST_F(BlocksGlTest, InterleaverBlock) {
     EXPECT_EQ(offsetOf(program, "panel"), offsetof(gpu::InterleaverBlock, panel));
     EXPECT_EQ(offsetOf(program, "edge"), offsetof(gpu::InterleaverBlock, edge));
     EXPECT_EQ(offsetOf(program, "scale"), offsetof(gpu::InterleaverBlock, scale));
+    EXPECT_EQ(offsetOf(program, "fine"), offsetof(gpu::InterleaverBlock, fine));
+    EXPECT_EQ(offsetOf(program, "rig"), offsetof(gpu::InterleaverBlock, rig));
     EXPECT_EQ(offsetOf(program, "atlasRow"), offsetof(gpu::InterleaverBlock, atlasRow));
 }
 
 TEST_F(BlocksGlTest, PhaseBlock) {
     const gpu::gl::Program view({"full_screen.vert", "view_interleaver.frag"});
-    EXPECT_EQ(offsetOf(view, "law[0]"), offsetof(gpu::PhaseBlock<1>, law));
+    EXPECT_EQ(offsetOf(view, "phaseSteps[0]"), offsetof(gpu::PhaseBlock<1>, phaseSteps));
     EXPECT_EQ(offsetOf(view, "channels[0]"), offsetof(gpu::PhaseBlock<1>, channels));
     const gpu::gl::Program bands({"full_screen.vert", "band_interleaver.frag"});
-    EXPECT_EQ(offsetOf(bands, "law[0]"), offsetof(gpu::PhaseBlock<16>, law));
+    EXPECT_EQ(offsetOf(bands, "phaseSteps[0]"), offsetof(gpu::PhaseBlock<16>, phaseSteps));
     EXPECT_EQ(offsetOf(bands, "channels[0]"), offsetof(gpu::PhaseBlock<16>, channels));
 }
 

@@ -43,15 +43,17 @@ class DepthMeshGlTest : public GlTest {
         std::fill(frame.color.pixels().begin(), frame.color.pixels().end(), std::byte{90});
         const calib::SensorRig rig = devices::sim::simulatedRig(width, height, 64, 48);
         pipeline = std::make_unique<gpu::Pipeline>(params, rig, display, 96, 128);
-        pipeline->renderAtlas(frame);
+        pipeline->prepare(frame);
+        mesher = std::make_unique<gpu::LayerMesher>();
     }
-    [[nodiscard]] const gpu::MeshLayers& layers() const { return pipeline->fusion().layers(); }
+    const gpu::MeshLayers& layers() { return mesher->build(pipeline->scene()); }
 
     gpu::PipelineParams params;
     calib::DisplayProfile display = smallLensDisplay(2, 1, 48, 64);
     devices::FramePool pool{4};
     devices::RgbdFrame frame;
     std::unique_ptr<gpu::Pipeline> pipeline;
+    std::unique_ptr<gpu::LayerMesher> mesher;
 };
 
 /// Float against double: u, v and the texture coordinate come from a few dozen operations on
@@ -59,7 +61,7 @@ class DepthMeshGlTest : public GlTest {
 TEST_F(DepthMeshGlTest, NodesAgreeWithTheOracle) {
     const SimulatedPair pair = simulate("sim:room?depth=176x144&color=640x360");
     pipeline = std::make_unique<gpu::Pipeline>(params, pair.rig, display, 96, 128);
-    pipeline->renderAtlas(pair.frame);
+    pipeline->prepare(pair.frame);
     const oracle::MeshInput input = oracleInput(pair, *pipeline, params);
     const oracle::Layer mesh = oracle::meshLayer(input);
     const auto points = readPoints(pipeline->mesh().layer());
@@ -112,7 +114,8 @@ TEST_F(DepthMeshGlTest, AnyGridAndAnyValueStaysFinite) {
         std::generate_n(std::back_inserter(counts), width * height,
                         [&] { return kValues[random() % 8]; });
         render(width, height, counts);
-        for (const gpu::MeshLayer* layer : {&layers().scene, &layers().background})
+        const gpu::MeshLayers& drawn = layers();
+        for (const gpu::MeshLayer* layer : {&drawn.scene, &drawn.background})
             for (const glm::vec4& point : readPoints(*layer))
                 ASSERT_TRUE(std::isfinite(point.x + point.y + point.z + point.w));
     }

@@ -35,7 +35,7 @@ class FusionGlTest : public GlTest, public testing::WithParamInterface<const cha
         pair = simulate(GetParam(), 2);
         pipeline = std::make_unique<gpu::Pipeline>(params, pair.rig, display, display.width,
                                                    display.height);
-        pipeline->renderAtlas(pair.frame);
+        pipeline->prepare(pair.frame);
         in.rig = pair.rig;
         in.geometry = pipeline->geometry();
         in.color = colorPicture(pair.frame.color);
@@ -113,7 +113,8 @@ TEST_P(FusionGlTest, QuadsMeetWhereTexelsAreOneSurface) {
     if (IsSkipped()) return;
     fuse();
     const auto depth = readDepthGrid(fusion().holes().depth());
-    const auto points = readTexels<4>(fusion().layers().scene.points);
+    gpu::LayerMesher mesher;
+    const auto points = readTexels<4>(mesher.build(pipeline->scene()).scene.points);
     const int stride = 2 * depth.columns;
     for (int y = 0; y < depth.rows; y += 3)
         for (int x = 0; x < depth.columns; ++x)

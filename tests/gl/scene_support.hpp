@@ -5,6 +5,7 @@
 #include "devices/sim/simulation.hpp"
 #include "gpu/pipeline.hpp"
 #include "gpu/readback.hpp"
+#include "gpu/views/layer_mesher.hpp"
 #include "tests/oracle/panel_oracle.hpp"
 
 #include <string>
@@ -122,7 +123,8 @@ inline oracle::Picture readPicture(const gpu::gl::Texture& texture) {
 inline std::vector<oracle::Picture> oracleTiles(const gpu::Pipeline& pipeline,
                                                 const oracle::Picture& color,
                                                 const calib::DisplayProfile& display) {
-    const gpu::MeshLayers& layers = pipeline.fusion().layers();
+    gpu::LayerMesher mesher;
+    const gpu::MeshLayers& layers = mesher.build(pipeline.scene());
     const oracle::Layer scene = readLayer(layers.scene), behind = readLayer(layers.background);
     const oracle::Picture behindColor = readPicture(*layers.backgroundColor);
     std::vector<oracle::Picture> tiles;

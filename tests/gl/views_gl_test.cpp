@@ -14,9 +14,9 @@ class ViewsGlTest : public GlTest {
         params.synthesis.method = method;
         pipeline = std::make_unique<gpu::Pipeline>(params, pair.rig, display, display.width,
                                                    display.height);
-        pipeline->renderAtlas(pair.frame);
-        const gpu::AtlasLayout& layout = pipeline->atlas().layout();
-        return gpu::readFramebuffer(pipeline->atlas().framebuffer(), layout.width(),
+        pipeline->prepare(pair.frame);
+        const gpu::AtlasLayout& layout = pipeline->atlas()->layout();
+        return gpu::readFramebuffer(pipeline->atlas()->framebuffer(), layout.width(),
                                     layout.height());
     }
 

@@ -1,4 +1,6 @@
-#include "gpu/instanced_views.hpp"
+#include "gpu/views/instanced_views.hpp"
+
+#include "gpu/views/view_synthesis.hpp"
 
 namespace autostereo::gpu {
 

@@ -1,4 +1,6 @@
-#include "gpu/multipass_views.hpp"
+#include "gpu/views/multipass_views.hpp"
+
+#include "gpu/views/view_synthesis.hpp"
 
 namespace autostereo::gpu {
 

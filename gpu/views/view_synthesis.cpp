@@ -1,18 +1,20 @@
-#include "gpu/view_synthesis.hpp"
+#include "gpu/views/view_synthesis.hpp"
 
 #include "calib/view_map.hpp"
-#include "gpu/instanced_views.hpp"
-#include "gpu/multipass_views.hpp"
+#include "gpu/views/atlas_synthesis.hpp"
+#include "gpu/views/direct_synthesis.hpp"
 
 #include <vector>
 
 namespace autostereo::gpu {
 
-std::unique_ptr<ViewSynthesis> makeViewSynthesis(Method method,
+std::unique_ptr<ViewSynthesis> makeViewSynthesis(const PipelineParams& params,
                                                  const calib::DisplayProfile& display,
-                                                 const PipelineParams& params) {
-    if (method == Method::Multipass) return std::make_unique<MultipassViews>(display, params);
-    return std::make_unique<InstancedViews>(display, params);
+                                                 int panelWidth, int panelHeight) {
+    const bool makesViews = std::holds_alternative<calib::DepthFrame>(display.law);
+    if (params.synthesis.method == Method::Direct && !makesViews)
+        return std::make_unique<DirectSynthesis>(params, display, panelWidth, panelHeight);
+    return std::make_unique<AtlasSynthesis>(params, display, panelWidth, panelHeight);
 }
 
 gl::Texture makeViewPositions(const calib::DisplayProfile& display) {

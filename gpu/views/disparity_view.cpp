@@ -1,4 +1,4 @@
-#include "gpu/disparity_view.hpp"
+#include "gpu/views/disparity_view.hpp"
 
 namespace autostereo::gpu {
 

@@ -1,0 +1,80 @@
+// The surface of a layer that a ray (x, b) meets first. In texels of the grid: on the ray u = x +
+// reach d, so that walking from x + reach d_max to x + reach d_min is walking away from the eye; h =
+// +-(u - x) - |reach| d(u) is how far the ray is still in front. Along a row a quad is two linear
+// pieces, its diagonal between them, so the root is exact. A jump between quads is no hit.
+// Needs mesh_block.glsl, layer_search.glsl.
+layout(binding = 0) uniform sampler2D quads;
+layout(binding = 7) uniform sampler2D tops;
+layout(binding = 8) uniform sampler2D bigTops;
+
+const float kMiss = -1.0;
+const float kLeastReach = 1e-6; // so that texels without depth are behind every ray
+
+struct Walk {
+    float x, spread, way; // way: +1 leftwards (an eye to the right), -1 rightwards
+    bool leftwards;
+    int step;
+};
+
+float inFront(Walk walk, float u, float disparity) {
+    return walk.way * (u - walk.x) - walk.spread * disparity;
+}
+
+// First block of `size` texels, from `block` on, with something that the ray may meet.
+int skipBlocks(sampler2D layer, int row, Walk walk, int block, int last, int size) {
+    for (int left = textureSize(layer, 0).x; left > 0; --left) {
+        float exit = float((walk.leftwards ? block : block + 1) * size);
+        float top = texelFetch(layer, ivec2(block, row), 0).x;
+        if (inFront(walk, exit, top) <= 0.0 || block == last) break;
+        block += walk.step;
+    }
+    return block;
+}
+
+// Into a block that begins farther on.
+int enter(Walk walk, int cell, int block, int size) {
+    return walk.leftwards ? min(cell, block * size + size - 1) : max(cell, block * size);
+}
+
+float walkCells(int row, float down, Walk walk, int cell, int last) {
+    float hit = kMiss;
+    for (int left = textureSize(quads, 0).x; left > 0; --left) {
+        vec4 quad = texelFetch(quads, ivec2(cell, row), 0);
+        vec2 sides = mix(quad.xy, quad.zw, down); // left, right
+        float here = float(cell);
+        float entryAt = walk.leftwards ? here + 1.0 : here, exitAt = walk.leftwards ? here : here + 1.0;
+        float middleAt = here + 1.0 - down;
+        float entry = inFront(walk, entryAt, walk.leftwards ? sides.y : sides.x);
+        float middle = inFront(walk, middleAt, mix(quad.y, quad.z, down));
+        float exit = inFront(walk, exitAt, walk.leftwards ? sides.x : sides.y);
+        bool first = entry > 0.0 && middle <= 0.0;
+        if (first || (middle > 0.0 && exit <= 0.0)) {
+            float from = first ? entryAt : middleAt, to = first ? middleAt : exitAt;
+            float above = first ? entry : middle, below = first ? middle : exit;
+            hit = from + (to - from) * (above / (above - below));
+            break;
+        }
+        if (cell == last) break;
+        cell += walk.step;
+    }
+    return hit;
+}
+
+// Texels from the grid's left edge, or kMiss; of layer 0, the scene, or 1, the background, which
+// nothing misses. `row` is the grid's, `down` the share of it above.
+float firstHit(int layer, int row, float down, float x, float reach) {
+    int columns = int(grid.x);
+    row += layer * int(grid.y);
+    bool leftwards = reach >= 0.0;
+    Walk walk = Walk(x, max(abs(reach), kLeastReach), leftwards ? 1.0 : -1.0, leftwards,
+                     leftwards ? -1 : 1);
+    // One texel more than needed at either end: rounding must not begin the walk behind the nearest
+    // surface, nor end it in front of the farthest.
+    int cell = clamp(int(floor(x + reach * budget.y)) - walk.step, 0, columns - 1);
+    int last = clamp(int(floor(x + reach * budget.x)) + walk.step, 0, columns - 1);
+    int big = skipBlocks(bigTops, row, walk, cell / kBigBlock, last / kBigBlock, kBigBlock);
+    cell = enter(walk, cell, big, kBigBlock);
+    int block = skipBlocks(tops, row, walk, cell / kBlock, last / kBlock, kBlock);
+    float hit = walkCells(row, down, walk, enter(walk, cell, block, kBlock), last);
+    return hit < 0.0 && layer == 1 ? x + reach * budget.x : hit;
+}

@@ -1,0 +1,38 @@
+#version 450 core
+// Both layers for the search: disparity at the corners of each texel's quad, scene above, background
+// below it.
+#include "mesh_block.glsl"
+#include "camera.glsl"
+#include "disparity.glsl"
+#include "cyclopean_grid.glsl"
+#include "layer_corner.glsl"
+#include "layer_search.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+
+layout(binding = 0) uniform sampler2D filled;
+layout(binding = 1) uniform sampler2D background;
+layout(rgba32f, binding = 0) uniform writeonly image2D quads; // top left, right, bottom left, right
+
+vec4 sceneCorners(ivec2 texel, float own) {
+    if (own == 0.0) return vec4(kNoSurface);
+    return vec4(cornerOf(filled, texel, own, false).disparity,
+                cornerOf(filled, texel + ivec2(1, 0), own, false).disparity,
+                cornerOf(filled, texel + ivec2(0, 1), own, false).disparity,
+                cornerOf(filled, texel + 1, own, false).disparity);
+}
+
+vec4 backgroundCorners(ivec2 texel) {
+    return vec4(cornerOf(background, texel, 0.0, true).disparity,
+                cornerOf(background, texel + ivec2(1, 0), 0.0, true).disparity,
+                cornerOf(background, texel + ivec2(0, 1), 0.0, true).disparity,
+                cornerOf(background, texel + 1, 0.0, true).disparity);
+}
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = textureSize(filled, 0);
+    if (any(greaterThanEqual(texel, size))) return;
+    imageStore(quads, texel, sceneCorners(texel, texelFetch(filled, texel, 0).x));
+    imageStore(quads, texel + ivec2(0, size.y), backgroundCorners(texel));
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "calib/display_profile.hpp"
+#include "gpu/atlas.hpp"
+#include "gpu/fusion/cyclopean_scene.hpp"
+#include "gpu/params.hpp"
+
+#include <memory>
+
+namespace autostereo::gpu {
+
+/// The cyclopean scene -> the panel: how the picture of every view comes to its sub-pixels. All
+/// methods show the same layers. They need MeshBlock at binding 0. Thread-bound.
+class ViewSynthesis {
+  public:
+    virtual ~ViewSynthesis() = default;
+    /// Once a frame: whatever does not depend on the panel's pixels.
+    virtual void prepare(const CyclopeanScene& scene) = 0;
+    /// Fills the panel with what was prepared.
+    virtual void show(const CyclopeanScene& scene, GLuint panel) = 0;
+    /// Every view in a tile of its own; none where views are never drawn.
+    [[nodiscard]] virtual const Atlas* atlas() const { return nullptr; }
+};
+
+/// For a panel of the given size. `method` as in params, but a display that makes its views itself
+/// gets tiles. Throws GlError.
+[[nodiscard]] std::unique_ptr<ViewSynthesis> makeViewSynthesis(const PipelineParams& params,
+                                                               const calib::DisplayProfile& display,
+                                                               int panelWidth, int panelHeight);
+
+/// Position b of every view as an R32F texture, one texel a view, left to right.
+[[nodiscard]] gl::Texture makeViewPositions(const calib::DisplayProfile& display);
+
+} // namespace autostereo::gpu
