@@ -51,6 +51,7 @@ Json toJson(const Report& report) {
         {"skipped", report.skipped},
         {"conditioner", conditioner},
         {"stages", stages},
+        {"gpu", {{"memory_mib", report.gpuMemoryMib}, {"objects", report.gpuObjects}}},
         {"latency_ms", report.latencyMs.at(0.5) ? percentilesJson(report.latencyMs, "p50", "p99")
                                                 : Json(nullptr)},
         {"seconds", report.seconds},

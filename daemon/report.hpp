@@ -25,7 +25,9 @@ struct Report {
     std::vector<Percentiles> stageMs;
     /// What became of depth pixels -> pixels per frame.
     std::vector<std::pair<std::string, double>> conditioner;
-    Percentiles latencyMs; ///< mid-exposure to present; empty at --speed max
+    double gpuMemoryMib = 0;     ///< textures and buffers of all stages
+    std::int64_t gpuObjects = 0; ///< textures, buffers, programs, queries, ...
+    Percentiles latencyMs;       ///< mid-exposure to present; empty at --speed max
     double seconds = 0;
 
     [[nodiscard]] std::uint64_t skippedTotal() const;

@@ -5,6 +5,7 @@
 #include "daemon/stop_signal.hpp"
 #include "daemon/watchdog.hpp"
 #include "daemon/wiring.hpp"
+#include "gpu/gl/usage.hpp"
 #include "gpu/pipeline.hpp"
 
 #include <spdlog/spdlog.h>
@@ -87,6 +88,9 @@ class Session {
     [[nodiscard]] const Report& accounts() {
         report_.feed = feed_->counters();
         report_.conditioner = perFrame(pipeline_.conditioner().tally());
+        const gpu::gl::Usage gpu = gpu::gl::usage();
+        report_.gpuMemoryMib = static_cast<double>(gpu.bytes) / (1024 * 1024);
+        report_.gpuObjects = gpu.objects;
         report_.seconds = std::chrono::duration<double>(clock_.now() - started_).count();
         return report_;
     }

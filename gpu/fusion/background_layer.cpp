@@ -6,6 +6,10 @@ namespace autostereo::gpu {
 
 namespace {
 
+/// What is hidden belongs to the next edge, however small; colours are taken from four texels
+/// around where there are any, else from a wide mean.
+constexpr std::size_t kAllLevels = 32, kNarrowLevels = 2;
+
 void waitForTexels() {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
@@ -14,7 +18,8 @@ void waitForTexels() {
 
 BackgroundLayer::BackgroundLayer()
     : claimRows_({"background_claims.comp"}), guideSeeds_({"background_guide.comp"}),
-      colorSeeds_({"background_seeds.comp"}), compose_({"background_compose.comp"}) {}
+      colorSeeds_({"background_seeds.comp"}), compose_({"background_compose.comp"}),
+      guide_(kAllLevels), colors_(kNarrowLevels) {}
 
 void BackgroundLayer::resize(int columns, int rows) {
     memory_.resize(columns, rows);
@@ -63,6 +68,7 @@ void BackgroundLayer::spreadColors(const gl::Texture& measured, const gl::Textur
     glBindTextureUnit(2, guide_.seeds().name());
     glBindTextureUnit(3, picture.name());
     glBindTextureUnit(4, filled.name());
+    glBindTextureUnit(7, guide_.mean().name());
     glBindImageTexture(0, seeds.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     gl::dispatch(colorSeeds_, seeds.width(), seeds.height());
     waitForTexels();

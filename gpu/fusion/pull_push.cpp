@@ -16,8 +16,9 @@ void visit(const gl::Program& program, const gl::Texture& from, const gl::Textur
 
 } // namespace
 
-PullPush::PullPush()
-    : pull_({"pull.comp"}), push_({"push.comp"}), finish_({"push.comp"}, {"COARSEST"}) {}
+PullPush::PullPush(std::size_t sharpLevels)
+    : sharpLevels_(sharpLevels), pull_({"pull.comp"}), pullSharp_({"pull.comp"}, {"SHARP"}),
+      push_({"push.comp"}), finish_({"push.comp"}, {"COARSEST"}) {}
 
 void PullPush::resize(int width, int height) {
     levels_.clear();
@@ -32,7 +33,7 @@ void PullPush::resize(int width, int height) {
 
 void PullPush::spread() const {
     for (std::size_t i = 1; i < levels_.size(); ++i)
-        visit(pull_, levels_[i - 1], levels_[i], GL_WRITE_ONLY);
+        visit(i <= sharpLevels_ ? pullSharp_ : pull_, levels_[i - 1], levels_[i], GL_WRITE_ONLY);
     visit(finish_, levels_.back(), levels_.back(), GL_READ_WRITE);
     for (std::size_t i = levels_.size() - 1; i > 0; --i)
         visit(push_, levels_[i], levels_[i - 1], GL_READ_WRITE);

@@ -6,11 +6,45 @@
 
 namespace autostereo::gpu::gl {
 
+namespace {
+
+std::int64_t bufferBytes(GLuint name) {
+    GLint64 bytes = 0;
+    glGetNamedBufferParameteri64v(name, GL_BUFFER_SIZE, &bytes);
+    return bytes;
+}
+
+std::int64_t textureBytes(GLuint name) {
+    const auto level = [&](GLenum what) {
+        GLint value = 0;
+        glGetTextureLevelParameteriv(name, 0, what, &value);
+        return static_cast<std::int64_t>(value);
+    };
+    std::int64_t bits = 0;
+    for (const GLenum size : {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
+                              GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE})
+        bits += level(size);
+    return level(GL_TEXTURE_WIDTH) * level(GL_TEXTURE_HEIGHT) * bits / 8;
+}
+
+} // namespace
+
+void deleteBuffer(GLuint name) {
+    detail::bytesAlive -= bufferBytes(name);
+    glDeleteBuffers(1, &name);
+}
+
+void deleteTexture(GLuint name) {
+    detail::bytesAlive -= textureBytes(name);
+    glDeleteTextures(1, &name);
+}
+
 Texture::Texture(GLenum internalFormat, int width, int height) : width_(width), height_(height) {
     GLuint name = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &name);
     handle_ = Handle<deleteTexture>(name);
     glTextureStorage2D(name, 1, internalFormat, width, height);
+    detail::bytesAlive += textureBytes(name);
     setFilter(GL_NEAREST);
     glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
@@ -26,6 +60,7 @@ Buffer makeBuffer(std::size_t bytes, const void* data, GLbitfield flags) {
     glCreateBuffers(1, &name);
     Buffer buffer(name);
     glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), data, flags);
+    detail::bytesAlive += bufferBytes(name);
     return buffer;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/gl/api.hpp"
+#include "gpu/gl/usage.hpp"
 
 #include <cstddef>
 #include <utility>
@@ -12,7 +13,9 @@ template<void (*Delete)(GLuint)>
 class Handle {
   public:
     Handle() = default;
-    explicit Handle(GLuint name) : name_(name) {}
+    explicit Handle(GLuint name) : name_(name) {
+        if (name_ != 0) ++detail::objectsAlive;
+    }
     Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
     Handle& operator=(Handle&& other) noexcept {
         std::swap(name_, other.name_);
@@ -21,7 +24,9 @@ class Handle {
     Handle(const Handle&) = delete;
     Handle& operator=(const Handle&) = delete;
     ~Handle() {
-        if (name_ != 0) Delete(name_);
+        if (name_ == 0) return;
+        Delete(name_);
+        --detail::objectsAlive;
     }
     [[nodiscard]] GLuint name() const { return name_; }
 
@@ -29,8 +34,8 @@ class Handle {
     GLuint name_ = 0;
 };
 
-inline void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
-inline void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
+void deleteBuffer(GLuint name);
+void deleteTexture(GLuint name);
 inline void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
 inline void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
 inline void deleteQuery(GLuint name) { glDeleteQueries(1, &name); }

@@ -200,21 +200,28 @@ inline Grid<Claim> claimsOf(const FusionInput& in, const DepthGrid& depth) {
 /// Premultiplied values and, last, their weight.
 using Weighted = std::array<double, 4>;
 
-/// Values everywhere from weighted seeds, by a pyramid of binomial means.
-inline Grid<Weighted> pullPush(Grid<Weighted> fine) {
+/// Values everywhere from weighted seeds, by a pyramid of binomial means; on so many levels a fifth
+/// of the weight is as good as all. `mean`: of the coarsest level.
+inline Grid<Weighted> pullPush(Grid<Weighted> fine, int sharpLevels, Weighted& mean) {
     if (fine.columns > 1 || fine.rows > 1) {
         constexpr std::array<double, 4> kWeights{0.125, 0.375, 0.375, 0.125};
         const auto coarse = pullPush(
-            Grid<Weighted>::of((fine.columns + 1) / 2, (fine.rows + 1) / 2, [&](int x, int y) {
-                Weighted sum{};
-                for (int j = 0; j < 4; ++j)
-                    for (int i = 0; i < 4; ++i)
-                        for (std::size_t k = 0; k < 4; ++k)
-                            sum[k] += kWeights[static_cast<std::size_t>(i)] *
-                                      kWeights[static_cast<std::size_t>(j)] *
-                                      fine.at(2 * x + i - 1, 2 * y + j - 1)[k];
-                return sum;
-            }));
+            Grid<Weighted>::of((fine.columns + 1) / 2, (fine.rows + 1) / 2,
+                               [&](int x, int y) {
+                                   Weighted sum{};
+                                   for (int j = 0; j < 4; ++j)
+                                       for (int i = 0; i < 4; ++i)
+                                           for (std::size_t k = 0; k < 4; ++k)
+                                               sum[k] += kWeights[static_cast<std::size_t>(i)] *
+                                                         kWeights[static_cast<std::size_t>(j)] *
+                                                         fine.at(2 * x + i - 1, 2 * y + j - 1)[k];
+                                   const double gain =
+                                       sharpLevels > 0 && sum[3] > 0 ? std::fmin(1 / sum[3], 5) : 1;
+                                   for (double& part : sum)
+                                       part *= gain;
+                                   return sum;
+                               }),
+            sharpLevels - 1, mean);
         const auto clamped = [&](int x, int y) {
             return coarse.at(std::clamp(x, 0, coarse.columns - 1),
                              std::clamp(y, 0, coarse.rows - 1));
@@ -238,6 +245,7 @@ inline Grid<Weighted> pullPush(Grid<Weighted> fine) {
     const double weight = only[3];
     for (std::size_t k = 0; k < 4; ++k)
         only[k] = weight > 0 ? only[k] / weight : 0;
+    mean = only;
     return fine;
 }
 
@@ -260,20 +268,30 @@ inline bool besideNearer(const FusionInput& in, const DepthGrid& depth, int x, i
 inline Background background(const FusionInput& in, const DepthGrid& sure, const DepthGrid& depth,
                              const Grid<Claim>& claims) {
     const int columns = depth.columns, rows = depth.rows;
-    const auto guide = pullPush(Grid<Weighted>::of(columns, rows, [&](int x, int y) {
-        const double z = claims.at(x, y).z;
-        return z > 0 ? Weighted{1 / z, 0, 0, 1} : Weighted{};
-    }));
-    const auto spread = pullPush(Grid<Weighted>::of(columns, rows, [&](int x, int y) {
-        const double z = depth.at(x, y), inverse = guide.at(x, y)[0];
-        const bool far = z > 0 && !(inverse > 0 && behind(in, 1 / inverse, z));
-        const bool guessed = sure.at(x, y) == 0;
-        if (!far || claims.at(x, y).z > 0 || !sourceOf(in, x, y) ||
-            (guessed && besideNearer(in, depth, x, y)))
-            return Weighted{};
-        const auto color = colorOf(in, x, y);
-        return Weighted{color[0], color[1], color[2], 1};
-    }));
+    constexpr int kAllLevels = 32, kNarrowLevels = 2;
+    Weighted mean{}, unused{};
+    const auto guide =
+        pullPush(Grid<Weighted>::of(columns, rows,
+                                    [&](int x, int y) {
+                                        const double z = claims.at(x, y).z;
+                                        return z > 0 ? Weighted{1 / z, 0, 0, 1} : Weighted{};
+                                    }),
+                 kAllLevels, mean);
+    const auto spread = pullPush(
+        Grid<Weighted>::of(
+            columns, rows,
+            [&](int x, int y) {
+                const double z = depth.at(x, y), inverse = guide.at(x, y)[0];
+                const bool far = z > 0 && !(inverse > 0 && behind(in, 1 / inverse, z));
+                const bool guessed = sure.at(x, y) == 0;
+                if (!far || claims.at(x, y).z > 0 || !sourceOf(in, x, y) ||
+                    (guessed && besideNearer(in, depth, x, y)))
+                    return Weighted{};
+                const auto color = colorOf(in, x, y);
+                const double weight = std::clamp(std::pow(z * mean[0], 20), 0.02, 1.0);
+                return Weighted{weight * color[0], weight * color[1], weight * color[2], weight};
+            }),
+        kNarrowLevels, unused);
     Background result{DepthGrid(columns, rows), {columns, rows}};
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {

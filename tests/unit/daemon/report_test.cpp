@@ -30,6 +30,8 @@ Report exampleReport() {
     for (int i = 0; i <= 100; ++i)
         report.stageMs[0].add(i);
     report.conditioner = {{"held", 90000.5}, {"flying", 300}};
+    report.gpuMemoryMib = 20.5;
+    report.gpuObjects = 120;
     report.latencyMs.add(42);
     report.seconds = 4;
     return report;
@@ -83,6 +85,7 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
             "upload": {"p50_ms": 50.0, "p99_ms": 99.0},
             "mesh": {"p50_ms": null, "p99_ms": null}
         },
+        "gpu": {"memory_mib": 20.5, "objects": 120},
         "latency_ms": {"p50": 42.0, "p99": 42.0},
         "seconds": 4.0
     })");
