@@ -25,7 +25,14 @@ struct Report {
     std::vector<Percentiles> stageMs;
     /// What became of depth pixels -> pixels per frame.
     std::vector<std::pair<std::string, double>> conditioner;
-    Percentiles latencyMs; ///< mid-exposure to present; empty at --speed max
+    /// Where the scene was put last, and how much of the panel that clamps.
+    struct Depth {
+        double focusM = 0;
+        double scale = 0;                   ///< relative to the natural one
+        std::optional<double> clampedShare; ///< none: not followed, not measured
+    };
+    std::optional<Depth> depth; ///< none before the first frame
+    Percentiles latencyMs;      ///< mid-exposure to present; empty at --speed max
     double seconds = 0;
 
     [[nodiscard]] std::uint64_t skippedTotal() const;

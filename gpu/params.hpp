@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calib/depth_budget.hpp"
 #include "calib/depth_noise.hpp"
 
 #include <array>
@@ -71,10 +72,21 @@ struct RegistrationParams {
 };
 
 struct DepthBudgetParams {
-    /// Camera depth shown in the panel's plane; none: median depth of the picture's central third.
+    /// Camera depth shown in the panel's plane; none: median depth of the first picture's central
+    /// third.
     std::optional<double> focusM;
-    /// Multiplies the natural scale (cameras' width at the focus = panel width).
-    double depthScale = 1.0;
+    /// Multiplies the natural scale (cameras' width at the focus = panel width); none: 1.
+    std::optional<double> depthScale;
+
+    /// What is none above follows the scene instead (DepthBudget), within the limits.
+    bool follow = false;
+    calib::PlacementLimits limits;
+    calib::PlacementFollower::Motion motion;
+    /// Of what the panel shows, so much is nearer than what the budget has to hold, and so much not
+    /// farther; of its central third, so much is nearer than the panel's plane. 0..1.
+    double nearShare = 0.05;
+    double farShare = 0.95;
+    double subjectShare = 0.3;
 };
 
 struct SynthesisParams {

@@ -1,5 +1,7 @@
 #include "gpu/pipeline.hpp"
 
+#include <algorithm>
+
 namespace autostereo::gpu {
 
 namespace {
@@ -24,7 +26,9 @@ Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
       disparity_(disparityView(params, display, atlas_.layout().quilt)),
       interleaver_(makeInterleaver(
           calib::panelMap(display, panelWidth, panelHeight), panelWidth, panelHeight,
-          {params.synthesis.filter, params.synthesis.views, display.fringe})) {}
+          {params.synthesis.filter, params.synthesis.views, display.fringe})) {
+    if (params.budget.follow) budget_.emplace(params.budget, display);
+}
 
 template<class Pass>
 void Pipeline::timed(std::size_t stage, Pass pass) {
@@ -39,12 +43,19 @@ void Pipeline::renderAtlas(const devices::RgbdFrame& frame) {
     timed(0, [&] { uploader_.upload(frame); });
     const double unitM = frame.depth.metadata().depthUnitM;
     timed(1, [&] { conditioner_.condition(uploader_.depth(), uploader_.amplitude(), unitM); });
-    timed(2, [&] { mesh_.build(conditioner_.depth(), unitM, geometry_); });
+    timed(2, [&] { buildMesh(frame.depth.metadata()); });
     timed(3, [&] { fusion_.fuse(mesh_.layer(), uploader_.color(), geometry_); });
     timed(4, [&] {
         views_->render(fusion_.layers(), uploader_.color(), atlas_);
         if (disparity_) disparity_->render(fusion_.layers(), uploader_.color());
     });
+}
+
+void Pipeline::buildMesh(const devices::FrameMetadata& depth) {
+    if (budget_) budget_->follow(depth.capturedAt, geometry_);
+    mesh_.build(conditioner_.depth(), depth.depthUnitM, geometry_);
+    if (budget_ && budget_->measure(mesh_.layer().points, geometry_))
+        mesh_.build(conditioner_.depth(), depth.depthUnitM, geometry_);
 }
 
 void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
@@ -56,11 +67,13 @@ void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
 
 void Pipeline::placeScene(const devices::Frame& depth) {
     constexpr double kFocusWithoutDepthM = 1;
-    const auto focus =
-        params_.budget.focusM ? params_.budget.focusM : medianDepth(depth, rig_, params_.mesh);
-    placed_ = focus.has_value();
+    const DepthBudgetParams& budget = params_.budget;
+    const auto measured = medianDepth(depth, rig_, params_.mesh);
+    placed_ = budget.focusM || measured;
+    const double chosen = std::clamp(measured.value_or(kFocusWithoutDepthM),
+                                     budget.limits.nearestFocusM, budget.limits.farthestFocusM);
     geometry_ =
-        sceneGeometry(rig_, display_, params_, panelAspect_, focus.value_or(kFocusWithoutDepthM));
+        sceneGeometry(rig_, display_, params_, panelAspect_, budget.focusM.value_or(chosen));
 }
 
 } // namespace autostereo::gpu

@@ -62,10 +62,14 @@ SceneGeometry sceneGeometry(const calib::SensorRig& rig, const calib::DisplayPro
     SceneGeometry geometry;
     geometry.framing = calib::framePanel(rig, panelAspect, overscan, focusM);
     geometry.law = calib::disparityLaw(display, focusM, geometry.framing.width * focusM,
-                                       params.budget.depthScale);
+                                       params.budget.depthScale.value_or(1));
     geometry.grid = calib::cyclopeanGrid(geometry.framing, rig.depth, params.fusion.density,
                                          params.fusion.mostTexels, overscan, 0);
     return geometry;
+}
+
+double relativeScale(const SceneGeometry& geometry, const calib::DisplayProfile& display) {
+    return geometry.law.scale * geometry.framing.width * geometry.law.focusM / display.widthM;
 }
 
 SceneGeometry movedCameraGeometry(const calib::SensorRig& rig, glm::dvec3 offset) {

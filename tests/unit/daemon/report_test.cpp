@@ -30,6 +30,7 @@ Report exampleReport() {
     for (int i = 0; i <= 100; ++i)
         report.stageMs[0].add(i);
     report.conditioner = {{"held", 90000.5}, {"flying", 300}};
+    report.depth = {1.25, 0.5, 0.125};
     report.latencyMs.add(42);
     report.seconds = 4;
     return report;
@@ -79,6 +80,7 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
         "frames_without_depth": 6,
         "skipped": {"hidden": 2, "unchanged": 3},
         "conditioner": {"held": 90000.5, "flying": 300.0},
+        "depth": {"focus_m": 1.25, "scale": 0.5, "clamped_share": 0.125},
         "stages": {
             "upload": {"p50_ms": 50.0, "p99_ms": 99.0},
             "mesh": {"p50_ms": null, "p99_ms": null}
