@@ -1,4 +1,5 @@
 #include "config/load.hpp"
+#include "config/read_framing.hpp"
 #include "config/text_file.hpp"
 #include "config/toml_reader.hpp"
 #include "config/units.hpp"
@@ -130,8 +131,9 @@ void readDepth(TomlReader& root, Config& config) {
     motion.deadBand = depth.number("dead_band", {0, 1}, motion.deadBand);
 }
 
-/// Every key a configuration may have; those not in the file keep their value.
-void readConfig(TomlReader& root, Config& config) {
+/// Every key a configuration may have; those not in the file keep their value. Files that it names
+/// are looked for in `folder`.
+void readConfig(TomlReader& root, const std::filesystem::path& folder, Config& config) {
     auto input = root.table("input");
     config.input = input.text("uri", config.input);
     config.rig = input.textOrAuto("rig", config.rig);
@@ -148,6 +150,8 @@ void readConfig(TomlReader& root, Config& config) {
     readTiming(root, config);
     readPipeline(root, config.pipeline);
     readDepth(root, config);
+    auto framing = root.table("framing");
+    readFraming(framing, folder, config.pipeline);
 
     auto log = root.table("log");
     config.log.level = log.choice<std::string>("level",
@@ -166,14 +170,14 @@ Config defaultConfig() {
     constexpr std::string_view kName = "default.toml";
     TomlReader root(std::string(kName), embeddedText(kName), TomlReader::Fallbacks::Refused);
     Config config;
-    readConfig(root, config);
+    readConfig(root, {}, config);
     return config;
 }
 
 Config loadConfig(const std::filesystem::path& file) {
     TomlReader root(file.string(), readTextFile(file));
     Config config = defaultConfig();
-    readConfig(root, config);
+    readConfig(root, file.parent_path(), config);
     return config;
 }
 

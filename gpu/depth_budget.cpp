@@ -1,6 +1,7 @@
 #include "gpu/depth_budget.hpp"
 
 #include <chrono>
+#include <limits>
 
 namespace autostereo::gpu {
 
@@ -42,15 +43,15 @@ bool DepthBudget::moves(const SceneGeometry& geometry) {
 
 bool DepthBudget::aim(const DepthStatistics::Depths& depths, const SceneGeometry& geometry) {
     const double framingWidth = geometry.framing.width;
-    const auto& focused = depths.centre.total() > 0 ? depths.centre : depths.panel;
-    const auto subject = focused.quantile(params_.subjectShare);
+    const double cutM = geometry.cutM > 0 ? geometry.cutM : std::numeric_limits<double>::infinity();
+    const calib::DepthHistogram panel = depths.panel.upTo(cutM), centre = depths.centre.upTo(cutM);
+    const auto subject = (centre.total() > 0 ? centre : panel).quantile(params_.subjectShare);
     if (!subject) return false; // nothing measured: things stay where they are
     const auto [nearest, farthest] = unclampedDepths(geometry.law);
-    clampedShare_ = 1 - depths.panel.shareBetween(nearest, farthest);
-    goal_ =
-        calib::placementFor({depths.panel.quantile(params_.nearShare).value_or(*subject), *subject,
-                             depths.panel.quantile(params_.farShare).value_or(*subject)},
-                            display_, framingWidth, params_.limits);
+    clampedShare_ = 1 - panel.shareBetween(nearest, farthest);
+    goal_ = calib::placementFor({panel.quantile(params_.nearShare).value_or(*subject), *subject,
+                                 panel.quantile(params_.farShare).value_or(*subject)},
+                                display_, framingWidth, params_.limits);
     return true;
 }
 

@@ -2,10 +2,13 @@
 
 #include "calib/depth_budget.hpp"
 #include "calib/depth_noise.hpp"
+#include "calib/framing.hpp"
 
 #include <array>
+#include <cstdint>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace autostereo::gpu {
 
@@ -89,6 +92,16 @@ struct DepthBudgetParams {
     double subjectShare = 0.3;
 };
 
+/// What stands in place of everything beyond a distance.
+struct BackdropParams {
+    double cutM = 0; ///< farther surfaces are not shown, metres at the colour camera; 0: all are
+    /// 8-bit R, G, B, 255, top row first; fills the panel, cropped to its shape. One pixel: a
+    /// colour.
+    int width = 1;
+    int height = 1;
+    std::vector<std::uint8_t> pixels{0, 0, 0, 255};
+};
+
 struct SynthesisParams {
     Method method = Method::Instanced;
     TileFilter filter = TileFilter::Linear;
@@ -101,6 +114,8 @@ struct PipelineParams {
     FusionParams fusion;
     RegistrationParams registration;
     DepthBudgetParams budget;
+    calib::FramingChoice framing;
+    BackdropParams backdrop;
     SynthesisParams synthesis;
     std::array<double, 3> clearColor{0, 0, 0}; ///< gamma-encoded, 0..1
 };

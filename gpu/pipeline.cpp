@@ -68,7 +68,10 @@ void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
 void Pipeline::placeScene(const devices::Frame& depth) {
     constexpr double kFocusWithoutDepthM = 1;
     const DepthBudgetParams& budget = params_.budget;
-    const auto measured = medianDepth(depth, rig_, params_.mesh);
+    DepthMeshParams shown = params_.mesh;
+    if (params_.backdrop.cutM > 0)
+        shown.farthestM = std::min(shown.farthestM, params_.backdrop.cutM);
+    const auto measured = medianDepth(depth, rig_, shown);
     placed_ = budget.focusM || measured;
     const double chosen = std::clamp(measured.value_or(kFocusWithoutDepthM),
                                      budget.limits.nearestFocusM, budget.limits.farthestFocusM);

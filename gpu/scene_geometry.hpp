@@ -20,6 +20,7 @@ struct SceneGeometry {
     calib::Framing framing;
     calib::DisparityLaw law;
     calib::CyclopeanGrid grid;
+    double cutM = 0; ///< BackdropParams
 };
 
 /// Depth counts that are measurements, inclusive, for a frame's unit.

@@ -64,6 +64,13 @@ void expectSame(const Config& a, const Config& b) {
     EXPECT_EQ(a.pipeline.registration.extrudePx, b.pipeline.registration.extrudePx);
     EXPECT_EQ(a.depthFollows, b.depthFollows);
     expectSame(a.pipeline.budget, b.pipeline.budget);
+    EXPECT_EQ(a.pipeline.framing.quarterTurns, b.pipeline.framing.quarterTurns);
+    EXPECT_EQ(a.pipeline.framing.mirror, b.pipeline.framing.mirror);
+    EXPECT_EQ(a.pipeline.framing.zoom, b.pipeline.framing.zoom);
+    EXPECT_EQ(a.pipeline.framing.pan, b.pipeline.framing.pan);
+    EXPECT_EQ(a.pipeline.backdrop.cutM, b.pipeline.backdrop.cutM);
+    EXPECT_EQ(a.pipeline.backdrop.width, b.pipeline.backdrop.width);
+    EXPECT_EQ(a.pipeline.backdrop.pixels, b.pipeline.backdrop.pixels);
     EXPECT_EQ(a.pipeline.synthesis.method, b.pipeline.synthesis.method);
     EXPECT_EQ(a.pipeline.synthesis.filter, b.pipeline.synthesis.filter);
     EXPECT_EQ(a.pipeline.clearColor, b.pipeline.clearColor);
@@ -127,6 +134,13 @@ subject_percent = 50
 far_percent = 80
 time_constant_s = 4
 dead_band = 0.2
+[framing]
+mounting_deg = 270
+mirror = true
+zoom = 2
+pan = [-0.5, 1]
+far_cut_m = 2.5
+backdrop_color = [0, 1, 0.2]
 [synthesis]
 method = "multipass"
 filter = "nearest"
@@ -150,6 +164,8 @@ level = "trace"
     expected.pipeline.registration = {3};
     expected.pipeline.budget = {1.25, 0.5, false, {0.5, 3, 0, 2}, {4, 0.2}, 0.01, 0.8, 0.5};
     expected.depthFollows = Following::Always;
+    expected.pipeline.framing = {3, true, 2, {-0.5, 1}};
+    expected.pipeline.backdrop = {2.5, 1, 1, {0, 255, 51, 255}};
     expected.pipeline.synthesis = {gpu::Method::Multipass, gpu::TileFilter::Nearest};
     expected.pipeline.clearColor = {0.1, 0, 1};
     expected.log.level = "trace";
@@ -203,6 +219,13 @@ constexpr Malformed kMalformed[] = {
      "x.toml:2:18: depth.focus_range_m: 0 is out of range (allowed 0.05 to 100)"},
     {"[depth]\nfar_percent = 4\n", "x.toml:2:15: depth.far_percent: is less than near_percent "
                                    "(allowed near_percent to 100)"},
+    {"[framing]\nmounting_deg = 45\n",
+     "x.toml:2:16: framing.mounting_deg: 45 is no quarter turn (allowed 0, 90, 180, 270)"},
+    {"[framing]\nzoom = 0.5\n", "x.toml:2:8: framing.zoom: 0.5 is out of range (allowed 1 to 20)"},
+    {"[framing]\npan = [0, 1.5]\n",
+     "x.toml:2:11: framing.pan: 1.5 is out of range (allowed -1 to 1)"},
+    {"[framing]\nbackdrop_picture = 'nowhere.png'\n",
+     "x.toml:2:20: framing.backdrop_picture: cannot read nowhere.png: No such file or directory"},
     {"[depth]\nfollow = true\n", "x.toml:2:10: depth.follow: is a boolean, wanted a word "
                                  "(allowed live, always, never)"},
     {"[synthesis]\nmethod = 'instanced '\n",
