@@ -16,4 +16,10 @@ DisparityLaw disparityLaw(const DisplayProfile& display, double focusM, double c
     return law;
 }
 
+DepthInterval unclampedDepths(const DisparityLaw& law) {
+    if (!(law.scale > 0)) return {0, std::numeric_limits<double>::infinity()};
+    return {law.focusM - law.heightAt(law.nearest) / law.scale,
+            law.focusM - law.heightAt(law.farthest) / law.scale};
+}
+
 } // namespace autostereo::calib

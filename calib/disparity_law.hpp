@@ -3,6 +3,7 @@
 #include "calib/display_profile.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace autostereo::calib {
 
@@ -17,6 +18,12 @@ struct DisparityLaw {
     double farthest = 0;        ///< budget, panel widths: farthest <= 0 <= nearest
     double nearest = 0;
 
+    /// Height above the panel, display metres, at which disparity is `d`; minus infinity where none
+    /// reaches it, because behind the panel disparity stays above -Bx.
+    [[nodiscard]] double heightAt(double d) const {
+        constexpr double kNone = -std::numeric_limits<double>::infinity();
+        return fanHalfWidth + d > 0 ? d * viewerDistanceM / (fanHalfWidth + d) : kNone;
+    }
     [[nodiscard]] double disparity(double z) const {
         const double height = scale * (focusM - z);
         const double gap = viewerDistanceM - height;
@@ -24,6 +31,14 @@ struct DisparityLaw {
         return std::clamp(fanHalfWidth * height / gap, farthest, nearest);
     }
 };
+
+/// Camera depths whose disparity the budget does not clamp: the nearest and the farthest, infinite
+/// where no depth is too far.
+struct DepthInterval {
+    double nearestM;
+    double farthestM;
+};
+[[nodiscard]] DepthInterval unclampedDepths(const DisparityLaw& law);
 
 /// `cameraWidthAtFocusM`: what of the scene fills the panel's width in the focus plane, metres.
 [[nodiscard]] DisparityLaw disparityLaw(const DisplayProfile& display, double focusM,

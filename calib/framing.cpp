@@ -40,9 +40,25 @@ void coverAt(const CameraModel& camera, const RigidTransform& colorFromCamera, d
     }
 }
 
+glm::dmat2 uprightFromCamera(const FramingChoice& choice) {
+    constexpr glm::dmat2 kQuarterTurn{0, 1, -1, 0}; // x right -> down, y down -> left
+    constexpr glm::dmat2 kMirror{-1, 0, 0, 1};
+    glm::dmat2 turn{1.0};
+    for (int i = 0; i < choice.quarterTurns; ++i)
+        turn = kQuarterTurn * turn;
+    return choice.mirror ? kMirror * turn : turn;
+}
+
+Box turned(const Box& box, const glm::dmat2& turn) {
+    const glm::dvec2 a = turn * glm::dvec2{box.left, box.top};
+    const glm::dvec2 b = turn * glm::dvec2{box.right, box.bottom};
+    return {std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y)};
+}
+
 } // namespace
 
-Framing framePanel(const SensorRig& rig, double panelAspect, double overscan, double focusM) {
+Framing framePanel(const SensorRig& rig, double panelAspect, double overscan, double focusM,
+                   const FramingChoice& choice) {
     constexpr double kFarM = 100;    // parallax between the cameras is gone
     const double nearM = focusM / 2; // what stands nearer may leave the edge uncovered
     Box color;
@@ -51,10 +67,17 @@ Framing framePanel(const SensorRig& rig, double panelAspect, double overscan, do
     for (const double z : {nearM, focusM, kFarM})
         coverAt(rig.depth, rig.colorFromDepth, z, box);
     if (box.empty()) box = color; // cameras that look past each other: show the colour picture
+    const glm::dmat2 upright = uprightFromCamera(choice);
+    box = turned(box, upright);
+    const double spread = 1 + 2 * overscan;
     const double width =
-        std::min((box.right - box.left) / (1 + 2 * overscan), (box.bottom - box.top) * panelAspect);
+        std::min((box.right - box.left) / spread, (box.bottom - box.top) * panelAspect) /
+        choice.zoom;
     const double height = width / panelAspect;
-    return {(box.left + box.right - width) / 2, (box.top + box.bottom + height) / 2, width, height};
+    const double spareX = box.right - box.left - spread * width;
+    const double spareY = box.bottom - box.top - height;
+    return {(box.left + box.right - width + choice.pan.x * spareX) / 2,
+            (box.top + box.bottom + height - choice.pan.y * spareY) / 2, width, height, upright};
 }
 
 } // namespace autostereo::calib

@@ -13,6 +13,9 @@ namespace autostereo::config {
 enum class Output { Window, Offscreen };
 enum class Speed { Realtime, Max };
 
+/// When what the depth budget leaves open follows the scene.
+enum class Following { Live, Always, Never };
+
 struct LogParams {
     std::string level = "info"; ///< error, warn, info, debug, trace
 };
@@ -26,6 +29,7 @@ struct Config {
     devices::SyncParams sync;
     devices::ReconnectParams reconnect;
     gpu::PipelineParams pipeline;
+    Following depthFollows = Following::Live; ///< decides pipeline.budget.follow, by command
     LogParams log;
 };
 

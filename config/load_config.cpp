@@ -1,4 +1,5 @@
 #include "config/load.hpp"
+#include "config/read_framing.hpp"
 #include "config/text_file.hpp"
 #include "config/toml_reader.hpp"
 #include "config/units.hpp"
@@ -85,10 +86,6 @@ void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
     params.registration.extrudePx =
         registration.integer("extrude_px", {0, 16}, params.registration.extrudePx);
 
-    auto depth = root.table("depth");
-    params.budget.focusM = depth.numberOrAuto("focus_m", {0.05, 100}, params.budget.focusM);
-    params.budget.depthScale = depth.number("scale", {0, 10}, params.budget.depthScale);
-
     auto synthesis = root.table("synthesis");
     params.synthesis.method = synthesis.choice<gpu::Method>("method",
                                                             {{"direct", gpu::Method::Direct},
@@ -103,8 +100,42 @@ void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
     params.clearColor = picture.numbers<3>("clear_color", {0, 1}, params.clearColor);
 }
 
-/// Every key a configuration may have; those not in the file keep their value.
-void readConfig(TomlReader& root, Config& config) {
+/// The two ends of an interval: rising, each within the range.
+void readInterval(TomlReader& table, const char* key, Range range, double& least, double& most) {
+    const auto ends = table.numbers<2>(key, range, std::array{least, most});
+    if (ends[1] < ends[0]) table.reject(key, "ends before it begins (allowed [least, most])");
+    least = ends[0];
+    most = ends[1];
+}
+
+void readDepth(TomlReader& root, Config& config) {
+    auto depth = root.table("depth");
+    auto& budget = config.pipeline.budget;
+    budget.focusM = depth.numberOrAuto("focus_m", {0.05, 100}, budget.focusM);
+    budget.depthScale = depth.numberOrAuto("scale", {0, 10}, budget.depthScale);
+    config.depthFollows = depth.choice<Following>(
+        "follow",
+        {{"live", Following::Live}, {"always", Following::Always}, {"never", Following::Never}},
+        config.depthFollows);
+    auto& limits = budget.limits;
+    readInterval(depth, "focus_range_m", {0.05, 100}, limits.nearestFocusM, limits.farthestFocusM);
+    readInterval(depth, "scale_range", {0, 10}, limits.leastScale, limits.mostScale);
+    const auto percent = [&](const char* key, double share) {
+        return depth.number(key, {0, 100}, 100 * share) / 100;
+    };
+    budget.nearShare = percent("near_percent", budget.nearShare);
+    budget.subjectShare = percent("subject_percent", budget.subjectShare);
+    budget.farShare = percent("far_percent", budget.farShare);
+    if (budget.farShare < budget.nearShare)
+        depth.reject("far_percent", "is less than near_percent (allowed near_percent to 100)");
+    auto& motion = budget.motion;
+    motion.timeConstantS = depth.number("time_constant_s", {0.05, 60}, motion.timeConstantS);
+    motion.deadBand = depth.number("dead_band", {0, 1}, motion.deadBand);
+}
+
+/// Every key a configuration may have; those not in the file keep their value. Files that it names
+/// are looked for in `folder`.
+void readConfig(TomlReader& root, const std::filesystem::path& folder, Config& config) {
     auto input = root.table("input");
     config.input = input.text("uri", config.input);
     config.rig = input.textOrAuto("rig", config.rig);
@@ -120,6 +151,9 @@ void readConfig(TomlReader& root, Config& config) {
 
     readTiming(root, config);
     readPipeline(root, config.pipeline);
+    readDepth(root, config);
+    auto framing = root.table("framing");
+    readFraming(framing, folder, config.pipeline);
 
     auto log = root.table("log");
     config.log.level = log.choice<std::string>("level",
@@ -138,14 +172,14 @@ Config defaultConfig() {
     constexpr std::string_view kName = "default.toml";
     TomlReader root(std::string(kName), embeddedText(kName), TomlReader::Fallbacks::Refused);
     Config config;
-    readConfig(root, config);
+    readConfig(root, {}, config);
     return config;
 }
 
 Config loadConfig(const std::filesystem::path& file) {
     TomlReader root(file.string(), readTextFile(file));
     Config config = defaultConfig();
-    readConfig(root, config);
+    readConfig(root, file.parent_path(), config);
     return config;
 }
 

@@ -80,7 +80,8 @@ int render(const RenderOptions& options) {
 
     const PanelSize size = offscreenSize(display);
     gpu::OffscreenPanel panel(size.width, size.height, false);
-    gpu::Pipeline pipeline(config.pipeline, rig, display, size.width, size.height);
+    const gpu::PipelineParams params = pipelineParams(config, false);
+    gpu::Pipeline pipeline(params, rig, display, size.width, size.height);
     pipeline.render(frame, panel.framebuffer());
 
     switch (as) {
@@ -101,15 +102,15 @@ int render(const RenderOptions& options) {
         writePicturePng(
             options.output,
             options.cameraOffset
-                ? gpu::MovedCamera(config.pipeline, rig, *options.cameraOffset).render(pipeline)
-                : gpu::renderEye(pipeline, config.pipeline, display,
+                ? gpu::MovedCamera(params, rig, *options.cameraOffset).render(pipeline)
+                : gpu::renderEye(pipeline, params, display,
                                  options.eye.value_or(glm::dvec3{0, 0, display.viewingDistanceM}),
                                  size.width, size.height));
         break;
     case Picture::Depth:
-        writeDepthPng(options.output, gpu::renderRegisteredDepth(pipeline.depth(),
-                                                                 frame.depth.metadata().depthUnitM,
-                                                                 config.pipeline, rig));
+        writeDepthPng(options.output,
+                      gpu::renderRegisteredDepth(pipeline.depth(),
+                                                 frame.depth.metadata().depthUnitM, params, rig));
         break;
     }
     return EXIT_SUCCESS;

@@ -30,6 +30,13 @@ Json percentilesJson(const Percentiles& samples, const char* p50, const char* p9
     return {{p50, numberOrNull(samples.at(0.5))}, {p99, numberOrNull(samples.at(0.99))}};
 }
 
+Json depthJson(const std::optional<Report::Depth>& depth) {
+    if (!depth) return nullptr;
+    return {{"focus_m", depth->focusM},
+            {"scale", depth->scale},
+            {"clamped_share", numberOrNull(depth->clampedShare)}};
+}
+
 Json toJson(const Report& report) {
     Json stages = Json::object();
     for (std::size_t i = 0; i < report.stageNames.size(); ++i)
@@ -50,6 +57,7 @@ Json toJson(const Report& report) {
         {"frames_without_depth", report.withoutDepth},
         {"skipped", report.skipped},
         {"conditioner", conditioner},
+        {"depth", depthJson(report.depth)},
         {"stages", stages},
         {"gpu", {{"memory_mib", report.gpuMemoryMib}, {"objects", report.gpuObjects}}},
         {"latency_ms", report.latencyMs.at(0.5) ? percentilesJson(report.latencyMs, "p50", "p99")

@@ -25,6 +25,13 @@ struct Report {
     std::vector<Percentiles> stageMs;
     /// What became of depth pixels -> pixels per frame.
     std::vector<std::pair<std::string, double>> conditioner;
+    /// Where the scene was put last, and how much of the panel that clamps.
+    struct Depth {
+        double focusM = 0;
+        double scale = 0;                   ///< relative to the natural one
+        std::optional<double> clampedShare; ///< none: not followed, not measured
+    };
+    std::optional<Depth> depth; ///< none before the first frame
     double gpuMemoryMib = 0;     ///< textures and buffers of all stages
     std::int64_t gpuObjects = 0; ///< textures, buffers, programs, queries, ...
     Percentiles latencyMs;       ///< mid-exposure to present; empty at --speed max

@@ -51,7 +51,8 @@ class Session {
                                                     : ChosenDisplay{chooseDisplay(config), ""}),
           display_(chosen_.profile), input_(openScene(config)), rig_(*input_.rig),
           panel_(openPanel(display_, output_, options.force, chosen_.connector)),
-          pipeline_(config.pipeline, rig_, display_, panel_->width(), panel_->height()) {
+          pipeline_(pipelineParams(config, true), rig_, display_, panel_->width(),
+                    panel_->height()) {
         report_.input = config.input;
         report_.display = display_.name;
         report_.renderer = gpu::rendererName();
@@ -91,6 +92,7 @@ class Session {
         const gpu::gl::Usage gpu = gpu::gl::usage();
         report_.gpuMemoryMib = static_cast<double>(gpu.bytes) / (1024 * 1024);
         report_.gpuObjects = gpu.objects;
+        if (report_.presented > 0) report_.depth = placement();
         report_.seconds = std::chrono::duration<double>(clock_.now() - started_).count();
         return report_;
     }
@@ -110,9 +112,16 @@ class Session {
                (framesWanted_ && report_.presented + report_.skippedTotal() >= *framesWanted_);
     }
 
+    [[nodiscard]] Report::Depth placement() const {
+        const gpu::SceneGeometry& geometry = pipeline_.geometry();
+        Report::Depth depth{geometry.law.focusM, gpu::relativeScale(geometry, display_), {}};
+        if (pipeline_.budget()) depth.clampedShare = pipeline_.budget()->clampedShare();
+        return depth;
+    }
+
     void show(devices::RgbdFrame frame) {
         if (!shown_.depth.empty() && sameBytes(frame.depth, shown_.depth) &&
-            sameBytes(frame.color, shown_.color)) {
+            sameBytes(frame.color, shown_.color) && pipeline_.isStill()) {
             ++report_.skipped["unchanged"];
             return;
         }

@@ -59,6 +59,14 @@ config::Config configuration(const SceneOptions& options) {
     return config;
 }
 
+gpu::PipelineParams pipelineParams(const config::Config& config, bool live) {
+    gpu::PipelineParams params = config.pipeline;
+    const bool open = !params.budget.focusM || !params.budget.depthScale;
+    params.budget.follow = open && (config.depthFollows == config::Following::Always ||
+                                    (live && config.depthFollows == config::Following::Live));
+    return params;
+}
+
 calib::DisplayProfile chooseDisplay(const config::Config& config) {
     calib::DisplayProfile display =
         config::loadDisplay(config.display.empty() ? "preview" : config.display);

@@ -13,6 +13,9 @@ namespace autostereo::daemon {
 /// A command's options over its configuration file, over the embedded default.
 [[nodiscard]] config::Config configuration(const SceneOptions& options);
 
+/// The pipeline's settings where frames go on coming (`live`), or for a single one.
+[[nodiscard]] gpu::PipelineParams pipelineParams(const config::Config& config, bool live);
+
 /// The profile that the options or the configuration name, else "preview".
 [[nodiscard]] calib::DisplayProfile chooseDisplay(const config::Config& config);
 /// A display and the connector of its monitor (the kernel's name; empty: any of its size).

@@ -21,12 +21,13 @@ struct MeshBlock {
     glm::vec4 colorRadial{0};
     glm::vec4 colorRational{0};
     glm::vec4 framing{0};
+    glm::vec4 upright{1, 0, 0, 1};
     glm::vec4 grid{0};
     glm::vec4 law{0};
     glm::vec4 budget{0};
     glm::uvec4 counts{0};
 };
-static_assert(sizeof(MeshBlock) == 208);
+static_assert(sizeof(MeshBlock) == 224);
 
 /// shaders/condition_block.glsl, binding 5.
 struct ConditionBlock {

@@ -25,13 +25,16 @@ void DepthMesh::resize(int width, int height) {
 }
 
 void DepthMesh::setBlock(double depthUnitM, const SceneGeometry& geometry) {
-    const auto& [framing, law, grid] = geometry;
+    const auto& [framing, law, grid, cutM] = geometry;
     setCameras(block_, rig_, params_, depthUnitM);
     block_.framing = glm::dvec4(framing.left, framing.bottom, framing.width, framing.height);
+    const glm::dmat2& upright = framing.uprightFromCamera;
+    block_.upright = glm::dvec4(upright[0], upright[1]);
     block_.grid = glm::dvec4(grid.columns, grid.rows, grid.marginU, grid.marginV);
     block_.law = glm::dvec4(law.focusM, law.scale, law.viewerDistanceM, law.fanHalfWidth);
     block_.budget.x = static_cast<float>(law.farthest);
     block_.budget.y = static_cast<float>(law.nearest);
+    block_.budget.w = static_cast<float>(cutM);
 }
 
 void DepthMesh::buildIndices(const gl::Texture& depth) {

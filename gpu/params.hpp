@@ -1,10 +1,14 @@
 #pragma once
 
+#include "calib/depth_budget.hpp"
 #include "calib/depth_noise.hpp"
+#include "calib/framing.hpp"
 
 #include <array>
+#include <cstdint>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace autostereo::gpu {
 
@@ -73,10 +77,31 @@ struct RegistrationParams {
 };
 
 struct DepthBudgetParams {
-    /// Camera depth shown in the panel's plane; none: median depth of the picture's central third.
+    /// Camera depth shown in the panel's plane; none: median depth of the first picture's central
+    /// third.
     std::optional<double> focusM;
-    /// Multiplies the natural scale (cameras' width at the focus = panel width).
-    double depthScale = 1.0;
+    /// Multiplies the natural scale (cameras' width at the focus = panel width); none: 1.
+    std::optional<double> depthScale;
+
+    /// What is none above follows the scene instead (DepthBudget), within the limits.
+    bool follow = false;
+    calib::PlacementLimits limits;
+    calib::PlacementFollower::Motion motion;
+    /// Of what the panel shows, so much is nearer than what the budget has to hold, and so much not
+    /// farther; of its central third, so much is nearer than the panel's plane. 0..1.
+    double nearShare = 0.05;
+    double farShare = 0.95;
+    double subjectShare = 0.3;
+};
+
+/// What stands in place of everything beyond a distance.
+struct BackdropParams {
+    double cutM = 0; ///< farther surfaces are not shown, metres at the colour camera; 0: all are
+    /// 8-bit R, G, B, 255, top row first; fills the panel, cropped to its shape. One pixel: a
+    /// colour.
+    int width = 1;
+    int height = 1;
+    std::vector<std::uint8_t> pixels{0, 0, 0, 255};
 };
 
 struct SynthesisParams {
@@ -92,6 +117,8 @@ struct PipelineParams {
     FusionParams fusion;
     RegistrationParams registration;
     DepthBudgetParams budget;
+    calib::FramingChoice framing;
+    BackdropParams backdrop;
     SynthesisParams synthesis;
     std::array<double, 3> clearColor{0, 0, 0}; ///< gamma-encoded, 0..1
 };

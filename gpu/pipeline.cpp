@@ -1,5 +1,7 @@
 #include "gpu/pipeline.hpp"
 
+#include <algorithm>
+
 namespace autostereo::gpu {
 
 Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
@@ -7,7 +9,9 @@ Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
     : params_(params), rig_(rig), display_(display),
       panelAspect_(static_cast<double>(panelWidth) / panelHeight),
       conditioner_(params.condition, params.mesh, rig.depth), mesh_(params.mesh, rig),
-      fusion_(params, rig), views_(makeViewSynthesis(params, display, panelWidth, panelHeight)) {}
+      fusion_(params, rig), views_(makeViewSynthesis(params, display, panelWidth, panelHeight)) {
+    if (params.budget.follow) budget_.emplace(params.budget, display);
+}
 
 template<class Pass>
 void Pipeline::timed(std::size_t stage, Pass pass) {
@@ -22,9 +26,16 @@ void Pipeline::prepare(const devices::RgbdFrame& frame) {
     timed(0, [&] { uploader_.upload(frame); });
     const double unitM = frame.depth.metadata().depthUnitM;
     timed(1, [&] { conditioner_.condition(uploader_.depth(), uploader_.amplitude(), unitM); });
-    timed(2, [&] { mesh_.build(conditioner_.depth(), unitM, geometry_); });
+    timed(2, [&] { buildMesh(frame.depth.metadata()); });
     timed(3, [&] { fusion_.fuse(mesh_.layer(), uploader_.color(), geometry_); });
     timed(4, [&] { views_->prepare(scene()); });
+}
+
+void Pipeline::buildMesh(const devices::FrameMetadata& depth) {
+    if (budget_) budget_->follow(depth.capturedAt, geometry_);
+    mesh_.build(conditioner_.depth(), depth.depthUnitM, geometry_);
+    if (budget_ && budget_->measure(mesh_.layer().points, geometry_))
+        mesh_.build(conditioner_.depth(), depth.depthUnitM, geometry_);
 }
 
 void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
@@ -34,11 +45,16 @@ void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
 
 void Pipeline::placeScene(const devices::Frame& depth) {
     constexpr double kFocusWithoutDepthM = 1;
-    const auto focus =
-        params_.budget.focusM ? params_.budget.focusM : medianDepth(depth, rig_, params_.mesh);
-    placed_ = focus.has_value();
+    const DepthBudgetParams& budget = params_.budget;
+    DepthMeshParams shown = params_.mesh;
+    if (params_.backdrop.cutM > 0)
+        shown.farthestM = std::min(shown.farthestM, params_.backdrop.cutM);
+    const auto measured = medianDepth(depth, rig_, shown);
+    placed_ = budget.focusM || measured;
+    const double chosen = std::clamp(measured.value_or(kFocusWithoutDepthM),
+                                     budget.limits.nearestFocusM, budget.limits.farthestFocusM);
     geometry_ =
-        sceneGeometry(rig_, display_, params_, panelAspect_, focus.value_or(kFocusWithoutDepthM));
+        sceneGeometry(rig_, display_, params_, panelAspect_, budget.focusM.value_or(chosen));
 }
 
 } // namespace autostereo::gpu

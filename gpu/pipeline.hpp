@@ -2,6 +2,7 @@
 
 #include "calib/display_profile.hpp"
 #include "devices/frame.hpp"
+#include "gpu/depth_budget.hpp"
 #include "gpu/depth_conditioner.hpp"
 #include "gpu/depth_mesh.hpp"
 #include "gpu/frame_uploader.hpp"
@@ -32,6 +33,8 @@ class Pipeline {
     void render(const devices::RgbdFrame& frame, GLuint panel);
     /// All but filling the panel.
     void prepare(const devices::RgbdFrame& frame);
+    /// Whether a frame like the last one would give the same picture. May wait for the GPU.
+    [[nodiscard]] bool isStill() { return !budget_ || !budget_->moves(geometry_); }
     void onStageTime(StageTime receiver) { stageTime_ = std::move(receiver); }
 
     /// None where the method draws no views.
@@ -44,11 +47,14 @@ class Pipeline {
     [[nodiscard]] const gl::Texture& depth() const { return conditioner_.depth(); }
     [[nodiscard]] const gl::Texture& color() const { return uploader_.color(); }
     /// Set by the first frame with a measurement (or by params.budget.focusM), then kept, so that
-    /// the scene stands still behind the glass.
+    /// the scene stands still behind the glass; with params.budget.follow its law follows.
     [[nodiscard]] const SceneGeometry& geometry() const { return geometry_; }
+    /// None without params.budget.follow.
+    [[nodiscard]] const std::optional<DepthBudget>& budget() const { return budget_; }
 
   private:
     void placeScene(const devices::Frame& depth);
+    void buildMesh(const devices::FrameMetadata& depth);
     template<class Pass>
     void timed(std::size_t stage, Pass pass);
 
@@ -58,6 +64,7 @@ class Pipeline {
     double panelAspect_;
     bool placed_ = false;
     SceneGeometry geometry_;
+    std::optional<DepthBudget> budget_;
 
     FrameUploader uploader_;
     DepthConditioner conditioner_;

@@ -60,12 +60,17 @@ SceneGeometry sceneGeometry(const calib::SensorRig& rig, const calib::DisplayPro
                             const PipelineParams& params, double panelAspect, double focusM) {
     const double overscan = std::max(-display.disparityFar, display.disparityNear);
     SceneGeometry geometry;
-    geometry.framing = calib::framePanel(rig, panelAspect, overscan, focusM);
+    geometry.framing = calib::framePanel(rig, panelAspect, overscan, focusM, params.framing);
     geometry.law = calib::disparityLaw(display, focusM, geometry.framing.width * focusM,
-                                       params.budget.depthScale);
+                                       params.budget.depthScale.value_or(1));
     geometry.grid = calib::cyclopeanGrid(geometry.framing, rig.depth, params.fusion.density,
                                          params.fusion.mostTexels, overscan, 0);
+    geometry.cutM = params.backdrop.cutM;
     return geometry;
+}
+
+double relativeScale(const SceneGeometry& geometry, const calib::DisplayProfile& display) {
+    return geometry.law.scale * geometry.framing.width * geometry.law.focusM / display.widthM;
 }
 
 SceneGeometry movedCameraGeometry(const calib::SensorRig& rig, glm::dvec3 offset) {
@@ -81,7 +86,7 @@ SceneGeometry movedCameraGeometry(const calib::SensorRig& rig, glm::dvec3 offset
     SceneGeometry geometry;
     geometry.framing = {(-0.5 - pixels.cx) / pixels.fx,
                         (pixels.height - 0.5 - pixels.cy) / pixels.fy, pixels.width / pixels.fx,
-                        pixels.height / pixels.fy};
+                        pixels.height / pixels.fy, glm::dmat2{1.0}};
     geometry.grid = {pixels.width + 2 * across, pixels.height + 2 * along,
                      static_cast<double>(across) / pixels.width,
                      static_cast<double>(along) / pixels.height};

@@ -20,6 +20,7 @@ struct SceneGeometry {
     calib::Framing framing;
     calib::DisparityLaw law;
     calib::CyclopeanGrid grid;
+    double cutM = 0; ///< BackdropParams
 };
 
 /// Depth counts that are measurements, inclusive, for a frame's unit.
@@ -39,6 +40,10 @@ medianDepth(const devices::Frame& depth, const calib::SensorRig& rig, const Dept
                                           const calib::DisplayProfile& display,
                                           const PipelineParams& params, double panelAspect,
                                           double focusM);
+
+/// Depth relative to the natural one, in which what the panel frames at the focus fills it.
+[[nodiscard]] double relativeScale(const SceneGeometry& geometry,
+                                   const calib::DisplayProfile& display);
 
 /// The colour camera's own frame, texel for pixel where its lens is straight, for a camera moved by
 /// `offset` (metres along its axes): no budget, margins for what comes into view.

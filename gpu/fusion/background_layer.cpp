@@ -16,10 +16,16 @@ void waitForTexels() {
 
 } // namespace
 
-BackgroundLayer::BackgroundLayer()
+BackgroundLayer::BackgroundLayer(const BackdropParams& backdrop)
     : claimRows_({"background_claims.comp"}), guideSeeds_({"background_guide.comp"}),
       colorSeeds_({"background_seeds.comp"}), compose_({"background_compose.comp"}),
-      guide_(kAllLevels), colors_(kNarrowLevels) {}
+      guide_(kAllLevels), colors_(kNarrowLevels),
+      backdrop_(GL_RGBA8, backdrop.width, backdrop.height) {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(backdrop_.name(), 0, 0, 0, backdrop.width, backdrop.height, GL_RGBA,
+                        GL_UNSIGNED_BYTE, backdrop.pixels.data());
+    backdrop_.setFilter(GL_LINEAR);
+}
 
 void BackgroundLayer::resize(int columns, int rows) {
     memory_.resize(columns, rows);
@@ -81,6 +87,7 @@ void BackgroundLayer::compose(const gl::Texture& filled, const gl::Texture& pict
     glBindTextureUnit(2, guide_.seeds().name());
     glBindTextureUnit(3, picture.name());
     glBindTextureUnit(4, colors_.seeds().name());
+    glBindTextureUnit(7, backdrop_.name());
     glBindImageTexture(0, depth_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
     glBindImageTexture(1, color_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
     gl::dispatch(compose_, depth_.width(), depth_.height());

@@ -2,15 +2,17 @@
 
 #include "gpu/fusion/background_memory.hpp"
 #include "gpu/fusion/pull_push.hpp"
+#include "gpu/params.hpp"
 
 namespace autostereo::gpu {
 
 /// What stands behind the scene: its own surfaces where nothing can be behind them, else the depth
 /// of the surface across the edge and colours spread from around, never from what is nearer; or
-/// what was seen there earlier. Needs MeshBlock at binding 0 and FillBlock at 3. Thread-bound.
+/// what was seen there earlier; beyond the cut the backdrop. Needs MeshBlock at binding 0 and
+/// FillBlock at 3. Thread-bound.
 class BackgroundLayer {
   public:
-    BackgroundLayer();
+    explicit BackgroundLayer(const BackdropParams& backdrop);
     void resize(int columns, int rows);
 
     void build(const gl::Texture& measured, const gl::Texture& filled, const gl::Texture& picture);
@@ -32,6 +34,7 @@ class BackgroundLayer {
     PullPush guide_, colors_;
     gl::Texture claims_; ///< RG32F: depth behind (m; 0: none), texels to the edge
     gl::Texture depth_, color_;
+    gl::Texture backdrop_; ///< RGBA8, linear
 };
 
 } // namespace autostereo::gpu

@@ -9,9 +9,10 @@ FillBlock fillBlock(const FusionParams& params, const calib::SensorRig& rig,
     constexpr double kUnsurePx = 1.5;     // depth pixels beside an edge whose colours may be mixed
     constexpr double kClearlyFiner = 1.3; // pixels per angle: then the colours' edges are better
     const bool colorIsFiner = rig.color.intrinsics.fx > kClearlyFiner * rig.depth.intrinsics.fx;
-    const auto& [framing, law, grid] = geometry;
-    const double texelsPerPixel =
-        grid.columns / ((1 + 2 * grid.marginU) * framing.width * rig.depth.intrinsics.fx);
+    const auto& [framing, law, grid, cutM] = geometry;
+    const calib::Intrinsics& camera = rig.depth.intrinsics;
+    const double pixelsAcross = framing.width * (framing.isSideways() ? camera.fy : camera.fx);
+    const double texelsPerPixel = grid.columns / ((1 + 2 * grid.marginU) * pixelsAcross);
     const auto texels = [&](double px) { return static_cast<int>(std::ceil(px * texelsPerPixel)); };
     return {{params.fillReach, texels(params.edgeReachPx), texels(kUnsurePx),
              colorIsFiner ? texels(params.edgeBandPx) : 0}};
@@ -19,7 +20,7 @@ FillBlock fillBlock(const FusionParams& params, const calib::SensorRig& rig,
 
 Fusion::Fusion(const PipelineParams& params, const calib::SensorRig& rig)
     : params_(params.fusion), rig_(rig), drawer_(params.mesh),
-      cyclopean_({"mesh_cyclopean.vert", "mesh_depth.frag"}) {}
+      cyclopean_({"mesh_cyclopean.vert", "mesh_depth.frag"}), background_(params.backdrop) {}
 
 void Fusion::fuse(const MeshLayer& measured, const gl::Texture& picture,
                   const SceneGeometry& geometry) {

@@ -34,14 +34,23 @@ void CounterRing::end() {
 }
 
 std::optional<std::vector<std::uint32_t>> CounterRing::take() {
-    if (pending_ == 0) return std::nullopt;
-    const std::size_t oldest = (next_ + kInFlight - pending_) % kInFlight;
-    if (glClientWaitSync(fences_[oldest], 0, 0) == GL_TIMEOUT_EXPIRED) return std::nullopt;
-    glDeleteSync(fences_[oldest]);
-    fences_[oldest] = nullptr;
+    if (pending_ == 0 || glClientWaitSync(fences_[oldest()], 0, 0) == GL_TIMEOUT_EXPIRED)
+        return std::nullopt;
+    return readOldest();
+}
+
+std::vector<std::uint32_t> CounterRing::waitForOldest() {
+    constexpr GLuint64 kForever = 1'000'000'000; // a GPU that takes a second has other trouble
+    glClientWaitSync(fences_[oldest()], GL_SYNC_FLUSH_COMMANDS_BIT, kForever);
+    return readOldest();
+}
+
+std::vector<std::uint32_t> CounterRing::readOldest() {
+    const std::size_t slot = oldest();
+    glDeleteSync(std::exchange(fences_[slot], nullptr));
     --pending_;
     std::vector<std::uint32_t> counts(counters_);
-    glGetNamedBufferSubData(buffers_[oldest].name(), 0,
+    glGetNamedBufferSubData(buffers_[slot].name(), 0,
                             static_cast<GLsizeiptr>(counters_ * sizeof(GLuint)), counts.data());
     return counts;
 }

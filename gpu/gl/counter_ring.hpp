@@ -23,10 +23,17 @@ class CounterRing {
     void end();
     /// Those of the oldest frame that was not yet taken, if they have arrived.
     [[nodiscard]] std::optional<std::vector<std::uint32_t>> take();
+    /// Frames counted and not yet taken.
+    [[nodiscard]] std::size_t pending() const { return pending_; }
+    /// Those of the oldest of them, waited for. Needs one pending.
+    [[nodiscard]] std::vector<std::uint32_t> waitForOldest();
     /// Those that were not yet taken never will be.
     void forget();
 
   private:
+    [[nodiscard]] std::size_t oldest() const { return (next_ + kInFlight - pending_) % kInFlight; }
+    [[nodiscard]] std::vector<std::uint32_t> readOldest();
+
     static constexpr std::size_t kInFlight = 4;
     std::size_t counters_;
     std::array<Buffer, kInFlight> buffers_;

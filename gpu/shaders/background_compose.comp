@@ -1,7 +1,8 @@
 #version 450 core
 // The background layer: the scene itself where nothing can be behind it, else the surface that
-// claims the texel in the colours around, or what is remembered there. What the picture shows without any depth keeps its colour;
-// with no depth anywhere it stands in the panel's plane.
+// claims the texel in the colours around, or what is remembered there; beyond the cut the backdrop.
+// What the picture shows without any depth keeps its colour; with no depth anywhere it stands in the
+// panel's plane.
 #include "mesh_block.glsl"
 #include "camera.glsl"
 #include "cyclopean_grid.glsl"
@@ -14,8 +15,18 @@ layout(binding = 1) uniform sampler2D claims;
 layout(binding = 2) uniform sampler2D guide;
 layout(binding = 3) uniform sampler2D colorImage;
 layout(binding = 4) uniform sampler2D spread; // colours, pushed
+layout(binding = 7) uniform sampler2D backdrop;
 layout(r32f, binding = 0) uniform writeonly image2D depth;
 layout(rgba8, binding = 1) uniform writeonly image2D color;
+
+// The backdrop covers the grid, margins included, and is cropped to its shape.
+vec3 backdropColor(ivec2 texel) {
+    vec2 share = (vec2(texel) + 0.5) / grid.xy - 0.5;
+    vec2 shown = framing.zw * (1.0 + 2.0 * grid.zw);
+    vec2 picture = vec2(textureSize(backdrop, 0));
+    vec2 fit = shown / picture;
+    return texture(backdrop, share * fit / max(fit.x, fit.y) + 0.5).rgb;
+}
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -31,6 +42,8 @@ void main() {
         behind = texelFetch(memoryDepth, texel, 0).x;
         shown = texelFetch(memoryColor, texel, 0).rgb;
     }
-    imageStore(depth, texel, vec4(behind > 0.0 ? behind : z > 0.0 ? z : guessed));
+    float standing = orBackdrop(behind > 0.0 ? behind : z > 0.0 ? z : guessed);
+    if (isBackdrop(standing)) shown = backdropColor(texel);
+    imageStore(depth, texel, vec4(standing));
     imageStore(color, texel, vec4(shown, 1.0));
 }

@@ -52,7 +52,7 @@ void main() {
     float inverse = texelFetch(guide, texel, 0).x;
     bool far = z > 0.0 && !(inverse > 0.0 && isBehind(1.0 / inverse, z));
     bool known = far && texelFetch(claims, texel, 0).x == 0.0 && isInPicture(source);
-    known = known && !(guessed && isBesideNearer(texel, z));
+    known = known && !isBackdrop(z) && !(guessed && isBesideNearer(texel, z));
     vec4 seed = known ? vec4(texture(colorImage, source).rgb, 1.0) * weightAt(z) : vec4(0.0);
     if (isRemembered(texel, z)) seed = vec4(texelFetch(memoryColor, texel, 0).rgb, 1.0);
     imageStore(seeds, texel, seed);

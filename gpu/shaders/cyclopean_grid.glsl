@@ -8,7 +8,7 @@ const vec2 kNoSource = vec2(-1.0);
 
 // Where the colour camera sees a place of the panel: it stands in the cyclopean view's place.
 vec2 sourceFromPanel(vec2 uv) {
-    vec2 ray = vec2(framing.x + uv.x * framing.z, framing.y - uv.y * framing.w);
+    vec2 ray = rayFromPanel(uv);
     if (dot(ray, ray) > colorSize.z) return kNoSource;
     vec2 pixel = distortRay(ray, colorRadial, colorRational) * colorPinhole.xy + colorPinhole.zw;
     return textureFromPixel(pixel, colorSize.xy);

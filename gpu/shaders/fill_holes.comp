@@ -100,5 +100,5 @@ void main() {
     } else if (z == 0.0) {
         z = fill(texel, size, texture(colorImage, source).rgb);
     }
-    imageStore(filled, texel, vec4(z));
+    imageStore(filled, texel, vec4(orBackdrop(z)));
 }

@@ -1,5 +1,5 @@
 #version 450 core
-// The scene layer: a quad for each texel that has depth, so that a surface reaches to the edges of
+// The scene layer: a quad for each texel that has depth before the cut, so that a surface reaches to the edges of
 // its outermost texels. Corners that four texels of one surface share are one vertex, the others one
 // for each texel, which is what cuts surfaces apart. Vertex of a texel's corner (i, j): (2x+i, 2y+j).
 #include "mesh_block.glsl"
@@ -34,7 +34,7 @@ void main() {
     if (any(greaterThanEqual(texel, size))) return;
     float own = texelFetch(filled, texel, 0).x;
     uint at = uint(texel.y * size.x + texel.x) * 6u;
-    if (own == 0.0) {
+    if (own == 0.0 || isBackdrop(own)) {
         for (uint i = 0u; i < 6u; ++i) indices[at + i] = 0u;
         return;
     }

@@ -18,8 +18,7 @@ void main() {
     ivec2 node = ivec2(gl_VertexID % tiles.w, gl_VertexID / tiles.w);
     vec4 point = texelFetch(points, node, 0);
     source = texelFetch(sources, node, 0).xy;
-    vec2 cyclopean = vec2(framing.x + point.x * framing.z, framing.y - point.y * framing.w);
-    vec3 moved = vec3(cyclopean, 1.0) * point.w - offset.xyz;
+    vec3 moved = vec3(rayFromPanel(point.xy), 1.0) * point.w - offset.xyz;
     float z = max(moved.z, range.x);
     vec2 ray = moved.xy / z;
     // Outside the model's valid radius the picture has no meaning: cut there.

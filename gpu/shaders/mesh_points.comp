@@ -36,8 +36,7 @@ void main() {
         imageStore(sources, node, vec4(0.0));
         return;
     }
-    vec2 seen = point.xy / point.z;
-    vec2 uv = vec2(seen.x - framing.x, framing.y - seen.y) / framing.zw;
+    vec2 uv = panelFromRay(point.xy / point.z);
     imageStore(points, node, vec4(uv, disparityAt(point.z, law, budget.xy), point.z));
     imageStore(sources, node, vec4(sourceOf(point), 0.0, 0.0));
 #endif

@@ -15,7 +15,7 @@ layout(binding = 1) uniform sampler2D background;
 layout(rgba32f, binding = 0) uniform writeonly image2D quads; // top left, right, bottom left, right
 
 vec4 sceneCorners(ivec2 texel, float own) {
-    if (own == 0.0) return vec4(kNoSurface);
+    if (own == 0.0 || isBackdrop(own)) return vec4(kNoSurface);
     return vec4(cornerOf(filled, texel, own, false).disparity,
                 cornerOf(filled, texel + ivec2(1, 0), own, false).disparity,
                 cornerOf(filled, texel + ivec2(0, 1), own, false).disparity,

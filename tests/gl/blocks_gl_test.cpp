@@ -28,6 +28,7 @@ TEST_F(BlocksGlTest, MeshBlock) {
     EXPECT_EQ(offsetOf(program, "colorRadial"), offsetof(gpu::MeshBlock, colorRadial));
     EXPECT_EQ(offsetOf(program, "colorRational"), offsetof(gpu::MeshBlock, colorRational));
     EXPECT_EQ(offsetOf(program, "framing"), offsetof(gpu::MeshBlock, framing));
+    EXPECT_EQ(offsetOf(program, "upright"), offsetof(gpu::MeshBlock, upright));
     EXPECT_EQ(offsetOf(program, "grid"), offsetof(gpu::MeshBlock, grid));
     EXPECT_EQ(offsetOf(program, "law"), offsetof(gpu::MeshBlock, law));
     EXPECT_EQ(offsetOf(program, "budget"), offsetof(gpu::MeshBlock, budget));

@@ -29,6 +29,7 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{{"condition_measure.comp"}, {}}, Variant{{"condition_flying.comp"}, {}},
         Variant{{"condition_hold.comp"}, {}}, Variant{{"condition_holes.comp"}, {}},
         Variant{{"mesh_points.comp"}, {}}, Variant{{"mesh_indices.comp"}, {}},
+        Variant{{"depth_statistics.comp"}, {}},
         Variant{{"mesh_cyclopean.vert", "mesh_depth.frag"}, {}}, Variant{{"edge_band.comp"}, {}},
         Variant{{"fill_holes.comp"}, {}}, Variant{{"background_claims.comp"}, {}},
         Variant{{"background_remember.comp"}, {}}, Variant{{"background_guide.comp"}, {}},

@@ -77,8 +77,11 @@ inline std::optional<Node> node(const MeshInput& in, int x, int y, std::uint32_t
     const auto pixel = in.rig.color.project(point);
     if (!pixel) return std::nullopt;
     const calib::Framing& f = in.geometry.framing;
-    return Node{(point.x / point.z - f.left) / f.width,
-                (f.bottom - point.y / point.z) / f.height,
+    const double x = point.x / point.z, y = point.y / point.z;
+    const double across = f.uprightFromCamera[0][0] * x + f.uprightFromCamera[1][0] * y;
+    const double down = f.uprightFromCamera[0][1] * x + f.uprightFromCamera[1][1] * y;
+    return Node{(across - f.left) / f.width,
+                (f.bottom - down) / f.height,
                 disparity(in.geometry.law, point.z),
                 point.z,
                 (pixel->x + 0.5) / in.rig.color.intrinsics.width,

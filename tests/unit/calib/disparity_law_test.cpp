@@ -69,6 +69,16 @@ TEST(DisparityLaw, AtOrBehindTheEyeIsNearest) {
         EXPECT_EQ(law.disparity(z), 1e9) << z;
 }
 
+TEST(DisparityLaw, KnowsWhatTheBudgetDoesNotClamp) {
+    const DisparityLaw law = disparityLaw(panel(), 1.5, 1.25, 0.8);
+    const auto [nearest, farthest] = unclampedDepths(law);
+    EXPECT_NEAR(law.disparity(nearest + 1e-6), 0.03, 1e-6);
+    EXPECT_LT(law.disparity(nearest + 1e-6), 0.03);
+    EXPECT_NEAR(law.disparity(farthest - 1e-6), -0.05, 1e-6);
+    EXPECT_GT(law.disparity(farthest - 1e-6), -0.05);
+    EXPECT_TRUE(std::isinf(unclampedDepths(disparityLaw(panel(), 1.5, 1.25, 0)).farthestM));
+}
+
 TEST(DisparityLaw, NeverGrowsWithDistance) {
     RandomNumbers random(9);
     for (int round = 0; round < 50; ++round) {

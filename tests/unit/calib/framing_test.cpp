@@ -1,6 +1,7 @@
 #include "calib/framing.hpp"
 #include "tests/unit/calib/random_numbers.hpp"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -126,6 +127,72 @@ TEST(Framing, RaysAndPanelPlacesAreInverse) {
         EXPECT_NEAR(back.x, uv.x, 1e-13);
         EXPECT_NEAR(back.y, uv.y, 1e-13);
     }
+}
+
+/// A camera turned clockwise by a quarter sees the world's right at its picture's top.
+TEST(Framing, TurnsThePictureUpright) {
+    SensorRig rig;
+    rig.color = rig.depth = {{641, 481, 500, 500, 320, 240}, {}};
+    const glm::dvec2 right{0.1, 0}, up{0, -0.1};
+    const auto shown = [&](int quarterTurns, const glm::dvec2& ray) {
+        const Framing framing = framePanel(rig, 1, 0, 1, {quarterTurns, false, 1, {0, 0}});
+        return framing.panelFromRay(ray) - framing.panelFromRay({0, 0});
+    };
+    const auto expectAlong = [](const glm::dvec2& step, double x, double y) {
+        EXPECT_NEAR(step.x, 0.1 / 0.96 * x, 1e-12);
+        EXPECT_NEAR(step.y, 0.1 / 0.96 * y, 1e-12);
+    };
+    expectAlong(shown(0, right), 1, 0);
+    expectAlong(shown(1, right), 0, -1);
+    expectAlong(shown(1, up), 1, 0);
+    expectAlong(shown(2, right), -1, 0);
+    expectAlong(shown(2, up), 0, -1);
+    expectAlong(shown(3, right), 0, 1);
+}
+
+TEST(Framing, AMirrorExchangesLeftAndRightOnly) {
+    SensorRig rig;
+    rig.color = rig.depth = {{641, 481, 500, 500, 300, 250}, {}};
+    for (int turns = 0; turns < 4; ++turns) {
+        const Framing plain = framePanel(rig, 1.5, 0.05, 1, {turns, false, 1, {0, 0}});
+        const Framing mirror = framePanel(rig, 1.5, 0.05, 1, {turns, true, 1, {0, 0}});
+        for (const glm::dvec2 ray : {glm::dvec2{0.1, 0.2}, {-0.3, 0.05}}) {
+            EXPECT_NEAR(mirror.panelFromRay(ray).x, 1 - plain.panelFromRay(ray).x, 1e-12);
+            EXPECT_NEAR(mirror.panelFromRay(ray).y, plain.panelFromRay(ray).y, 1e-12);
+        }
+    }
+}
+
+TEST(Framing, HoweverMountedBothCamerasCoverItWithItsOverscan) {
+    RandomNumbers random(13);
+    for (int round = 0; round < 300; ++round) {
+        const SensorRig rig = randomRig(random);
+        const double m = random.between(0, 0.1), aspect = random.between(0.5, 1.8);
+        const FramingChoice choice{round % 4,
+                                   round % 8 > 3,
+                                   random.between(1, 4),
+                                   {random.between(-1, 1), random.between(-1, 1)}};
+        const Framing framing = framePanel(rig, aspect, m, 1.5, choice);
+        EXPECT_NEAR(framing.width / framing.height, aspect, 1e-12);
+        for (const double z : {0.75, 1.5, 7.5})
+            EXPECT_LT(worstOverhang(rig, framing, m, z), 0.1) << "round " << round;
+        const glm::dvec2 uv{random.between(0, 1), random.between(0, 1)};
+        EXPECT_NEAR(glm::length(framing.panelFromRay(framing.rayFromPanel(uv)) - uv), 0, 1e-12);
+    }
+}
+
+TEST(Framing, ZoomsAndPansToTheEndsOfWhatIsCovered) {
+    SensorRig rig;
+    rig.color = rig.depth = {{641, 481, 500, 500, 320, 240}, {}};
+    const Framing all = framePanel(rig, 4.0 / 3, 0, 1);
+    const auto at = [&](double x, double y) {
+        return framePanel(rig, 4.0 / 3, 0, 1, {0, false, 2, {x, y}});
+    };
+    EXPECT_NEAR(at(0, 0).width, all.width / 2, 1e-12);
+    EXPECT_NEAR(at(-1, 0).left, -0.64, 1e-12);
+    EXPECT_NEAR(at(1, 0).left + at(1, 0).width, 0.64, 1e-12);
+    EXPECT_NEAR(at(0, -1).bottom, 0.48, 1e-12);
+    EXPECT_NEAR(at(0, 1).bottom - at(0, 1).height, -0.48, 1e-12);
 }
 
 } // namespace

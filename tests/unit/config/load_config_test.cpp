@@ -35,6 +35,20 @@ void expectSame(const gpu::ConditionParams& a, const gpu::ConditionParams& b) {
     EXPECT_EQ(a.holeWidth, b.holeWidth);
 }
 
+void expectSame(const gpu::DepthBudgetParams& a, const gpu::DepthBudgetParams& b) {
+    EXPECT_EQ(a.focusM, b.focusM);
+    EXPECT_EQ(a.depthScale, b.depthScale);
+    EXPECT_EQ(a.limits.nearestFocusM, b.limits.nearestFocusM);
+    EXPECT_EQ(a.limits.farthestFocusM, b.limits.farthestFocusM);
+    EXPECT_EQ(a.limits.leastScale, b.limits.leastScale);
+    EXPECT_EQ(a.limits.mostScale, b.limits.mostScale);
+    EXPECT_EQ(a.motion.timeConstantS, b.motion.timeConstantS);
+    EXPECT_EQ(a.motion.deadBand, b.motion.deadBand);
+    EXPECT_DOUBLE_EQ(a.nearShare, b.nearShare);
+    EXPECT_DOUBLE_EQ(a.farShare, b.farShare);
+    EXPECT_DOUBLE_EQ(a.subjectShare, b.subjectShare);
+}
+
 void expectSame(const Config& a, const Config& b) {
     expectSame(a.pipeline.condition, b.pipeline.condition);
     EXPECT_EQ(a.input, b.input);
@@ -48,8 +62,15 @@ void expectSame(const Config& a, const Config& b) {
     EXPECT_EQ(a.pipeline.mesh.farthestM, b.pipeline.mesh.farthestM);
     EXPECT_EQ(a.pipeline.mesh.cutRatio, b.pipeline.mesh.cutRatio);
     EXPECT_EQ(a.pipeline.registration.extrudePx, b.pipeline.registration.extrudePx);
-    EXPECT_EQ(a.pipeline.budget.focusM, b.pipeline.budget.focusM);
-    EXPECT_EQ(a.pipeline.budget.depthScale, b.pipeline.budget.depthScale);
+    EXPECT_EQ(a.depthFollows, b.depthFollows);
+    expectSame(a.pipeline.budget, b.pipeline.budget);
+    EXPECT_EQ(a.pipeline.framing.quarterTurns, b.pipeline.framing.quarterTurns);
+    EXPECT_EQ(a.pipeline.framing.mirror, b.pipeline.framing.mirror);
+    EXPECT_EQ(a.pipeline.framing.zoom, b.pipeline.framing.zoom);
+    EXPECT_EQ(a.pipeline.framing.pan, b.pipeline.framing.pan);
+    EXPECT_EQ(a.pipeline.backdrop.cutM, b.pipeline.backdrop.cutM);
+    EXPECT_EQ(a.pipeline.backdrop.width, b.pipeline.backdrop.width);
+    EXPECT_EQ(a.pipeline.backdrop.pixels, b.pipeline.backdrop.pixels);
     EXPECT_EQ(a.pipeline.synthesis.method, b.pipeline.synthesis.method);
     EXPECT_EQ(a.pipeline.synthesis.filter, b.pipeline.synthesis.filter);
     EXPECT_EQ(a.pipeline.clearColor, b.pipeline.clearColor);
@@ -105,6 +126,21 @@ extrude_px = 3
 [depth]
 focus_m = 1.25
 scale = 0.5
+follow = "always"
+focus_range_m = [0.5, 3]
+scale_range = [0, 2]
+near_percent = 1
+subject_percent = 50
+far_percent = 80
+time_constant_s = 4
+dead_band = 0.2
+[framing]
+mounting_deg = 270
+mirror = true
+zoom = 2
+pan = [-0.5, 1]
+far_cut_m = 2.5
+backdrop_color = [0, 1, 0.2]
 [synthesis]
 method = "multipass"
 filter = "nearest"
@@ -126,7 +162,10 @@ level = "trace"
         4.5,   false, 6,    8,     0,     false, 5};
     expected.pipeline.mesh = {0.3, 4, 0.1};
     expected.pipeline.registration = {3};
-    expected.pipeline.budget = {1.25, 0.5};
+    expected.pipeline.budget = {1.25, 0.5, false, {0.5, 3, 0, 2}, {4, 0.2}, 0.01, 0.8, 0.5};
+    expected.depthFollows = Following::Always;
+    expected.pipeline.framing = {3, true, 2, {-0.5, 1}};
+    expected.pipeline.backdrop = {2.5, 1, 1, {0, 255, 51, 255}};
     expected.pipeline.synthesis = {gpu::Method::Multipass, gpu::TileFilter::Nearest};
     expected.pipeline.clearColor = {0.1, 0, 1};
     expected.log.level = "trace";
@@ -173,7 +212,22 @@ constexpr Malformed kMalformed[] = {
     {"[depth]\nfocus_m = 'near'\n", "x.toml:2:11: depth.focus_m: is a string, wanted "
                                     "\"auto\" or a number (allowed 0.05 to 100)"},
     {"[depth]\nscale = 1979-05-27\n",
-     "x.toml:2:9: depth.scale: is a date, wanted a number (allowed 0 to 10)"},
+     "x.toml:2:9: depth.scale: is a date, wanted \"auto\" or a number (allowed 0 to 10)"},
+    {"[depth]\nscale_range = [1, 0.5]\n",
+     "x.toml:2:15: depth.scale_range: ends before it begins (allowed [least, most])"},
+    {"[depth]\nfocus_range_m = [0, 2]\n",
+     "x.toml:2:18: depth.focus_range_m: 0 is out of range (allowed 0.05 to 100)"},
+    {"[depth]\nfar_percent = 4\n", "x.toml:2:15: depth.far_percent: is less than near_percent "
+                                   "(allowed near_percent to 100)"},
+    {"[framing]\nmounting_deg = 45\n",
+     "x.toml:2:16: framing.mounting_deg: 45 is no quarter turn (allowed 0, 90, 180, 270)"},
+    {"[framing]\nzoom = 0.5\n", "x.toml:2:8: framing.zoom: 0.5 is out of range (allowed 1 to 20)"},
+    {"[framing]\npan = [0, 1.5]\n",
+     "x.toml:2:11: framing.pan: 1.5 is out of range (allowed -1 to 1)"},
+    {"[framing]\nbackdrop_picture = 'nowhere.png'\n",
+     "x.toml:2:20: framing.backdrop_picture: cannot read nowhere.png: No such file or directory"},
+    {"[depth]\nfollow = true\n", "x.toml:2:10: depth.follow: is a boolean, wanted a word "
+                                 "(allowed live, always, never)"},
     {"[synthesis]\nmethod = 'instanced '\n",
      "x.toml:2:10: synthesis.method: \"instanced \" is unknown (allowed instanced, "
      "multipass)"},

@@ -32,6 +32,7 @@ Report exampleReport() {
     report.conditioner = {{"held", 90000.5}, {"flying", 300}};
     report.gpuMemoryMib = 20.5;
     report.gpuObjects = 120;
+    report.depth = {1.25, 0.5, 0.125};
     report.latencyMs.add(42);
     report.seconds = 4;
     return report;
@@ -81,6 +82,7 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
         "frames_without_depth": 6,
         "skipped": {"hidden": 2, "unchanged": 3},
         "conditioner": {"held": 90000.5, "flying": 300.0},
+        "depth": {"focus_m": 1.25, "scale": 0.5, "clamped_share": 0.125},
         "stages": {
             "upload": {"p50_ms": 50.0, "p99_ms": 99.0},
             "mesh": {"p50_ms": null, "p99_ms": null}
