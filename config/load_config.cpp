@@ -64,6 +64,28 @@ void readCondition(TomlReader& root, gpu::ConditionParams& params) {
     params.holeWidth = table.integer("hole_width", {0, 8}, params.holeWidth);
 }
 
+void readSynthesis(TomlReader& root, gpu::SynthesisParams& params) {
+    auto table = root.table("synthesis");
+    params.method = table.choice<gpu::Method>("method",
+                                              {{"direct", gpu::Method::Direct},
+                                               {"instanced", gpu::Method::Instanced},
+                                               {"multipass", gpu::Method::Multipass},
+                                               {"geometry", gpu::Method::Geometry},
+                                               {"mrt", gpu::Method::Layered},
+                                               {"hybrid", gpu::Method::Hybrid}},
+                                              params.method);
+    params.positions = table.choice<gpu::ViewPositions>(
+        "positions",
+        {{"continuous", gpu::ViewPositions::Continuous}, {"views", gpu::ViewPositions::OfViews}},
+        params.positions);
+    params.filter = table.choice<gpu::TileFilter>(
+        "filter", {{"nearest", gpu::TileFilter::Nearest}, {"linear", gpu::TileFilter::Linear}},
+        params.filter);
+    params.tileScale = table.number("tile_scale", {0.05, 4}, params.tileScale);
+    params.viewsPerPass = table.integer("views_per_pass", {0, 64}, params.viewsPerPass);
+    params.references = table.integer("references", {2, 5}, params.references);
+}
+
 void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
     readCondition(root, params.condition);
     auto mesh = root.table("mesh");
@@ -86,16 +108,7 @@ void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
     params.registration.extrudePx =
         registration.integer("extrude_px", {0, 16}, params.registration.extrudePx);
 
-    auto synthesis = root.table("synthesis");
-    params.synthesis.method = synthesis.choice<gpu::Method>("method",
-                                                            {{"direct", gpu::Method::Direct},
-                                                             {"instanced", gpu::Method::Instanced},
-                                                             {"multipass", gpu::Method::Multipass}},
-                                                            params.synthesis.method);
-    params.synthesis.filter = synthesis.choice<gpu::TileFilter>(
-        "filter", {{"nearest", gpu::TileFilter::Nearest}, {"linear", gpu::TileFilter::Linear}},
-        params.synthesis.filter);
-
+    readSynthesis(root, params.synthesis);
     auto picture = root.table("picture");
     params.clearColor = picture.numbers<3>("clear_color", {0, 1}, params.clearColor);
 }

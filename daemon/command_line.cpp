@@ -8,9 +8,10 @@ const std::map<std::string, config::Output> kOutputs{{"window", config::Output::
                                                      {"offscreen", config::Output::Offscreen}};
 const std::map<std::string, config::Speed> kSpeeds{{"realtime", config::Speed::Realtime},
                                                    {"max", config::Speed::Max}};
-const std::map<std::string, gpu::Method> kMethods{{"direct", gpu::Method::Direct},
-                                                  {"instanced", gpu::Method::Instanced},
-                                                  {"multipass", gpu::Method::Multipass}};
+const std::map<std::string, gpu::Method> kMethods{
+    {"direct", gpu::Method::Direct},       {"instanced", gpu::Method::Instanced},
+    {"multipass", gpu::Method::Multipass}, {"geometry", gpu::Method::Geometry},
+    {"mrt", gpu::Method::Layered},         {"hybrid", gpu::Method::Hybrid}};
 const std::map<std::string, Picture> kPictures{
     {"panel", Picture::Panel},    {"quilt", Picture::Quilt},
     {"views", Picture::Views},    {"view", Picture::View},
@@ -21,7 +22,7 @@ const std::map<std::string, Picture> kPictures{
 constexpr std::array kLaterCommands{"calibrate", "record", "bench", "status",
                                     "snapshot",  "reload", "set",   "show"};
 constexpr std::array kLaterPictures{"disparity"};
-constexpr std::array kLaterMethods{"auto", "geometry", "mrt", "hybrid"};
+constexpr std::array kLaterMethods{"auto"};
 
 void addScene(CLI::App& command, SceneOptions& scene) {
     command.add_option("--input", scene.input, "Input URI, e.g. sim:person or recording.mkv");
@@ -64,7 +65,7 @@ void addRender(CLI::App& app, RenderOptions& render) {
         ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53));
     command->add_option_function<std::string>(
         "--method", oneOf(render.method, kMethods, "--method", kLaterMethods),
-        "direct, instanced or multipass");
+        "direct, instanced, multipass, geometry, mrt or hybrid");
     command
         ->add_option_function<std::string>(
             "--as", oneOf(render.as, kPictures, "--as", kLaterPictures),

@@ -68,8 +68,9 @@ int render(const RenderOptions& options) {
     gpu::Method& method = config.pipeline.synthesis.method;
     if (wantsTiles && method == gpu::Method::Direct) {
         if (options.method)
-            throw UsageError("render: --method direct draws no views: for --as quilt and --as "
-                             "views name another one (allowed: instanced, multipass)");
+            throw UsageError(
+                "render: --method direct draws no views: for --as quilt and --as "
+                "views name another one (allowed: instanced, multipass, geometry, mrt, hybrid)");
         method = gpu::Method::Instanced;
     }
     const calib::DisplayProfile display = displayAs(as, chooseDisplay(config));

@@ -24,7 +24,13 @@ std::int64_t textureBytes(GLuint name) {
     for (const GLenum size : {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
                               GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE})
         bits += level(size);
-    return level(GL_TEXTURE_WIDTH) * level(GL_TEXTURE_HEIGHT) * bits / 8;
+    return level(GL_TEXTURE_WIDTH) * level(GL_TEXTURE_HEIGHT) * level(GL_TEXTURE_DEPTH) * bits / 8;
+}
+
+GLuint makeTexture(GLenum target) {
+    GLuint name = 0;
+    glCreateTextures(target, 1, &name);
+    return name;
 }
 
 } // namespace
@@ -39,15 +45,23 @@ void deleteTexture(GLuint name) {
     glDeleteTextures(1, &name);
 }
 
-Texture::Texture(GLenum internalFormat, int width, int height) : width_(width), height_(height) {
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_2D, 1, &name);
-    handle_ = Handle<deleteTexture>(name);
-    glTextureStorage2D(name, 1, internalFormat, width, height);
-    detail::bytesAlive += textureBytes(name);
+Texture::Texture(GLenum internalFormat, int width, int height)
+    : handle_(makeTexture(GL_TEXTURE_2D)), width_(width), height_(height) {
+    glTextureStorage2D(name(), 1, internalFormat, width, height);
+    initialise();
+}
+
+Texture::Texture(GLenum internalFormat, int width, int height, int layers)
+    : handle_(makeTexture(GL_TEXTURE_2D_ARRAY)), width_(width), height_(height) {
+    glTextureStorage3D(name(), 1, internalFormat, width, height, layers);
+    initialise();
+}
+
+void Texture::initialise() const {
+    detail::bytesAlive += textureBytes(name());
     setFilter(GL_NEAREST);
-    glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
 void Texture::setFilter(GLint filter) const {

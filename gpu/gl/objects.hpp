@@ -51,11 +51,13 @@ using ProgramName = Handle<deleteProgram>;
 using ShaderName = Handle<deleteShader>;
 using Sampler = Handle<deleteSampler>;
 
-/// A 2-D texture with immutable storage, one level; knows its size.
+/// A 2-D texture, or several in layers, with immutable storage, one level; knows its size.
 class Texture {
   public:
     Texture() = default;
     Texture(GLenum internalFormat, int width, int height);
+    /// GL_TEXTURE_2D_ARRAY.
+    Texture(GLenum internalFormat, int width, int height, int layers);
     [[nodiscard]] GLuint name() const { return handle_.name(); }
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
@@ -66,6 +68,8 @@ class Texture {
     void setFilter(GLint filter) const;
 
   private:
+    void initialise() const;
+
     Handle<deleteTexture> handle_;
     int width_ = 0;
     int height_ = 0;

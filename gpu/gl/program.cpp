@@ -13,6 +13,7 @@ namespace {
 GLenum stageOf(const std::string& file) {
     if (file.ends_with(".vert")) return GL_VERTEX_SHADER;
     if (file.ends_with(".frag")) return GL_FRAGMENT_SHADER;
+    if (file.ends_with(".geom")) return GL_GEOMETRY_SHADER;
     if (file.ends_with(".comp")) return GL_COMPUTE_SHADER;
     throw GlError("gl: no shader stage for " + file);
 }

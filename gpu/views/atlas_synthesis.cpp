@@ -1,7 +1,13 @@
 #include "gpu/views/atlas_synthesis.hpp"
 
+#include "gpu/views/geometry_views.hpp"
+#include "gpu/views/hybrid_views.hpp"
 #include "gpu/views/instanced_views.hpp"
+#include "gpu/views/layered_views.hpp"
 #include "gpu/views/multipass_views.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace autostereo::gpu {
 
@@ -9,9 +15,25 @@ namespace {
 
 std::unique_ptr<AtlasViews> makeViews(const PipelineParams& params,
                                       const calib::DisplayProfile& display) {
-    if (params.synthesis.method == Method::Multipass)
+    const SynthesisParams& synthesis = params.synthesis;
+    switch (synthesis.method) {
+    case Method::Multipass:
         return std::make_unique<MultipassViews>(display, params);
-    return std::make_unique<InstancedViews>(display, params);
+    case Method::Geometry:
+        return std::make_unique<GeometryViews>(display, params, synthesis.viewsPerPass);
+    case Method::Layered:
+        return std::make_unique<LayeredViews>(display, params, synthesis.viewsPerPass);
+    case Method::Hybrid:
+        return std::make_unique<HybridViews>(display, params, synthesis.references);
+    default:
+        return std::make_unique<InstancedViews>(display, params);
+    }
+}
+
+AtlasLayout scaled(AtlasLayout layout, double scale) {
+    for (int* side : {&layout.quilt.tileWidth, &layout.quilt.tileHeight})
+        *side = std::max(1, static_cast<int>(std::lround(scale * *side)));
+    return layout;
 }
 
 std::optional<DisparityView> disparityView(const PipelineParams& params,
@@ -26,7 +48,8 @@ std::optional<DisparityView> disparityView(const PipelineParams& params,
 
 AtlasSynthesis::AtlasSynthesis(const PipelineParams& params, const calib::DisplayProfile& display,
                                int panelWidth, int panelHeight)
-    : atlas_(atlasLayout(display, panelWidth, panelHeight)), views_(makeViews(params, display)),
+    : atlas_(scaled(atlasLayout(display, panelWidth, panelHeight), params.synthesis.tileScale)),
+      views_(makeViews(params, display)),
       disparity_(disparityView(params, display, atlas_.layout().quilt)),
       interleaver_(makeInterleaver(
           calib::panelMap(display, panelWidth, panelHeight), panelWidth, panelHeight,

@@ -33,8 +33,7 @@ GeometryViews::GeometryViews(const calib::DisplayProfile& display, const Pipelin
                {"REPEATED", "VIEWS " + std::to_string(viewsPerPass_)}),
       positions_(makeViewPositions(display)) {}
 
-void GeometryViews::render(const MeshLayers& layers, const gl::Texture& color,
-                           const Atlas& atlas) {
+void GeometryViews::render(const MeshLayers& layers, const gl::Texture& color, const Atlas& atlas) {
     const AtlasLayout& layout = atlas.layout();
     LayerDrawer::clear(atlas.framebuffer(), params_.clearColor);
     glViewport(0, 0, layout.width(), layout.height());

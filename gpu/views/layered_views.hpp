@@ -8,9 +8,9 @@
 
 namespace autostereo::gpu {
 
-/// Every view a render target of its own (method "mrt", de Sorbier 2008): layers of one framebuffer,
-/// each with the depth test of its own that the paper had to wait for, filled by the geometry
-/// shader; then copied into the atlas.
+/// Every view a render target of its own (method "mrt", de Sorbier 2008): layers of one
+/// framebuffer, each with the depth test of its own that the paper had to wait for, filled by the
+/// geometry shader; then copied into the atlas.
 class LayeredViews final : public AtlasViews {
   public:
     /// `viewsPerPass`: 0: as many as the driver allows. Throws GlError.

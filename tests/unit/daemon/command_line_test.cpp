@@ -132,7 +132,7 @@ TEST(CommandLine, LaterCommandsAndOptionsSaySo) {
     for (const char* picture : {"disparity"})
         EXPECT_EQ(usageError({"render", "--as", picture, "--output", "o"}),
                   std::string("--as ") + picture + ": not in this version");
-    for (const char* method : {"auto", "geometry", "mrt", "hybrid"})
+    for (const char* method : {"auto"})
         EXPECT_EQ(renderError({"--method", method}),
                   std::string("--method ") + method + ": not in this version");
 }
