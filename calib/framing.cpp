@@ -1,6 +1,7 @@
 #include "calib/framing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -40,6 +41,15 @@ void coverAt(const CameraModel& camera, const RigidTransform& colorFromCamera, d
     }
 }
 
+/// A lens model that ends inside the picture leaves sides without a ray: those end where it does.
+void boundByModel(const Distortion& lens, Box& box) {
+    constexpr double kWithoutRadius = 1; // 45 degrees
+    const double reach =
+        std::isfinite(lens.metricRadius) ? lens.metricRadius / std::sqrt(2) : kWithoutRadius;
+    for (double* side : {&box.left, &box.right, &box.top, &box.bottom})
+        if (!std::isfinite(*side)) *side = std::copysign(reach, *side);
+}
+
 } // namespace
 
 Framing framePanel(const SensorRig& rig, double panelAspect, double overscan, double focusM) {
@@ -47,6 +57,7 @@ Framing framePanel(const SensorRig& rig, double panelAspect, double overscan, do
     const double nearM = focusM / 2; // what stands nearer may leave the edge uncovered
     Box color;
     coverAt(rig.color, RigidTransform{}, 1, color);
+    boundByModel(rig.color.distortion, color);
     Box box = color;
     for (const double z : {nearM, focusM, kFarM})
         coverAt(rig.depth, rig.colorFromDepth, z, box);
