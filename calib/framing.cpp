@@ -1,6 +1,7 @@
 #include "calib/framing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -55,6 +56,15 @@ Box turned(const Box& box, const glm::dmat2& turn) {
     return {std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y)};
 }
 
+/// A lens model that ends inside the picture leaves sides without a ray: those end where it does.
+void boundByModel(const Distortion& lens, Box& box) {
+    constexpr double kWithoutRadius = 1; // 45 degrees
+    const double reach =
+        std::isfinite(lens.metricRadius) ? lens.metricRadius / std::sqrt(2) : kWithoutRadius;
+    for (double* side : {&box.left, &box.right, &box.top, &box.bottom})
+        if (!std::isfinite(*side)) *side = std::copysign(reach, *side);
+}
+
 } // namespace
 
 Framing framePanel(const SensorRig& rig, double panelAspect, double overscan, double focusM,
@@ -63,6 +73,7 @@ Framing framePanel(const SensorRig& rig, double panelAspect, double overscan, do
     const double nearM = focusM / 2; // what stands nearer may leave the edge uncovered
     Box color;
     coverAt(rig.color, RigidTransform{}, 1, color);
+    boundByModel(rig.color.distortion, color);
     Box box = color;
     for (const double z : {nearM, focusM, kFarM})
         coverAt(rig.depth, rig.colorFromDepth, z, box);

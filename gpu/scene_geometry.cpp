@@ -25,7 +25,8 @@ std::vector<double> depthsInside(const devices::Frame& depth, const calib::Senso
             const auto ray = camera.unproject({x, y});
             if (!ray) continue;
             const double z = count * form.depthUnitM;
-            found.push_back((rig.colorFromDepth * glm::dvec3{ray->x * z, ray->y * z, z}).z);
+            const double seen = (rig.colorFromDepth * glm::dvec3{ray->x * z, ray->y * z, z}).z;
+            if (seen > 0) found.push_back(seen); // else behind the colour camera
         }
     }
     return found;

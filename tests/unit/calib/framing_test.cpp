@@ -50,6 +50,21 @@ double worstOverhang(const SensorRig& rig, const Framing& framing, double m, dou
     return worst;
 }
 
+/// Fisheyes may have no model at their pictures' edges: the panel shows what it knows.
+TEST(Framing, EndsWhereTheLensModelDoes) {
+    SensorRig rig;
+    rig.depth = {{640, 480, 500, 500, 319.5, 239.5}, {}};
+    rig.color = {{640, 480, 100, 100, 319.5, 239.5}, {}};
+    rig.color.distortion.metricRadius = 0.5; // the picture reaches 3.2 to either side
+    for (const bool depthToo : {false, true}) {
+        if (depthToo) rig.depth = rig.color;
+        const Framing framing = framePanel(rig, 1.5, 0.05, 1);
+        EXPECT_GT(framing.width, 0.3);
+        EXPECT_LE(framing.width * 1.1, 1.0);
+        EXPECT_NEAR(framing.left + framing.width / 2, 0, 1e-9);
+    }
+}
+
 TEST(Framing, BothCamerasCoverItWithItsOverscan) {
     RandomNumbers random(10);
     double tightest = -1e9;

@@ -73,6 +73,14 @@ TEST(CountRange, NeverTakesTheCountsThatMeanNothing) {
     EXPECT_GE(crossed.farthest, crossed.nearest);
 }
 
+TEST(MedianDepth, LeavesOutWhatIsBehindTheColorCamera) {
+    calib::SensorRig rig = plainRig();
+    rig.colorFromDepth.translation.z = -1; // the colour camera stands a metre farther forward
+    EXPECT_FALSE(medianOf([](int, int) { return 900; }, rig));
+    EXPECT_NEAR(*medianOf([](int x, int y) { return (x + y) % 2 == 0 ? 900 : 1500; }, rig), 0.5,
+                1e-9);
+}
+
 TEST(MedianDepth, IsTheMiddleOfTheCentralThird) {
     // 70 pixels there: 40 at 1.2 m, the rest at 3 m; everything around is at 0.5 m.
     const auto median = medianOf([](int x, int y) {
