@@ -37,7 +37,7 @@ class DepthBudgetGlTest : public GlTest {
         std::ranges::fill(frame.color.pixels(), std::byte{90});
         frame.depth.metadata().capturedAt = devices::TimePoint(100ms * frames++);
         if (!pipeline) pipeline.emplace(params, rig, display, 96, 128);
-        pipeline->renderAtlas(frame);
+        pipeline->prepare(frame);
     }
     [[nodiscard]] double focus() const { return pipeline->geometry().law.focusM; }
     [[nodiscard]] double scale() const { return gpu::relativeScale(pipeline->geometry(), display); }
@@ -157,7 +157,7 @@ TEST_F(DepthBudgetGlTest, StatisticsAreThoseOfTheMesh) {
     if (IsSkipped()) return;
     const SimulatedPair pair = simulate("sim:person?depth=176x144&color=320x180");
     gpu::Pipeline gpuStages({}, pair.rig, display, 96, 128);
-    gpuStages.renderAtlas(pair.frame);
+    gpuStages.prepare(pair.frame);
     gpu::DepthStatistics statistics;
     EXPECT_FALSE(statistics.takeNewest());
     for (int i = 0; i < 2; ++i) {

@@ -47,10 +47,10 @@ TEST_P(OverscanGlTest, OutermostViewsHaveNoRepeatedBorder) {
     gpu::PipelineParams params;
     params.budget.focusM = kFocusM;
     gpu::Pipeline pipeline(params, pair.rig, display, display.width, display.height);
-    pipeline.renderAtlas(pair.frame);
+    pipeline.prepare(pair.frame);
     const double d = pipeline.geometry().law.disparity(GetParam());
     ASSERT_GT(std::abs(d), 0.03) << "nothing lies beyond the edges";
-    const gpu::RgbImage views = gpu::readFramebuffer(pipeline.atlas().framebuffer(), 192, 128);
+    const gpu::RgbImage views = gpu::readFramebuffer(pipeline.atlas()->framebuffer(), 192, 128);
     for (const int view : {0, 1}) {
         const gpu::RgbImage tile = gpu::crop(views, 96 * view, 0, 96, 128);
         for (int column = 0; column < 8; ++column)

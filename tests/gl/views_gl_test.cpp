@@ -33,6 +33,13 @@ double meanDifference(const gpu::RgbImage& a, const gpu::RgbImage& b) {
     return sum / static_cast<double>(a.pixels.size());
 }
 
+double psnr(const gpu::RgbImage& a, const gpu::RgbImage& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        sum += std::pow(a.pixels[i] - b.pixels[i], 2);
+    return 10 * std::log10(255 * 255 * static_cast<double>(a.pixels.size()) / sum);
+}
+
 /// The same triangles under two viewport transforms: positions round differently by 1/256 pixel,
 /// which shows at silhouettes only.
 TEST_F(ViewsGlTest, InstancedEqualsMultipass) {
@@ -43,6 +50,36 @@ TEST_F(ViewsGlTest, InstancedEqualsMultipass) {
     for (std::size_t i = 0; i < instanced.pixels.size(); ++i)
         if (std::abs(instanced.pixels[i] - multipass.pixels[i]) > 2) ++different;
     EXPECT_LE(different, instanced.pixels.size() / 2000);
+}
+
+/// The papers' own ways to the same pictures: the same vertices by another shader stage, so what
+/// differs is rounding. Views split over passes are the same views.
+TEST_F(ViewsGlTest, GeometryAndLayersEqualMultipass) {
+    if (IsSkipped()) return;
+    const gpu::RgbImage multipass = atlasBy(gpu::Method::Multipass);
+    for (const gpu::Method method : {gpu::Method::Geometry, gpu::Method::Layered})
+        for (const int viewsPerPass : {0, 4, 1}) {
+            params.synthesis.viewsPerPass = viewsPerPass;
+            const gpu::RgbImage other = atlasBy(method);
+            std::size_t different = 0;
+            for (std::size_t i = 0; i < other.pixels.size(); ++i)
+                if (std::abs(other.pixels[i] - multipass.pixels[i]) > 2) ++different;
+            EXPECT_LE(different, other.pixels.size() / 2000) << viewsPerPass << " views a pass";
+        }
+}
+
+/// The super-multi-view paper's law: more references, fewer places that none of them sees.
+TEST_F(ViewsGlTest, MoreReferencesAreCloserToEveryViewDrawn) {
+    if (IsSkipped()) return;
+    const gpu::RgbImage multipass = atlasBy(gpu::Method::Multipass);
+    double last = 25; // dB
+    for (const int references : {2, 3, 4}) {
+        params.synthesis.references = references;
+        const double now = psnr(atlasBy(gpu::Method::Hybrid), multipass);
+        std::printf("%d references: %.2f dB\n", references, now);
+        EXPECT_GT(now, last);
+        last = now;
+    }
 }
 
 /// A tile's own view at the panel's size, drawn as an eye sees it, scaled down by leaving out: the

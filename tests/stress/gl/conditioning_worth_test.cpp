@@ -64,7 +64,7 @@ class ConditioningWorthTest : public GlTest {
     }
 
     static std::vector<double> viewsOf(const gpu::Pipeline& pipeline) {
-        const gpu::RgbImage atlas = gpu::readFramebuffer(pipeline.atlas().framebuffer(),
+        const gpu::RgbImage atlas = gpu::readFramebuffer(pipeline.atlas()->framebuffer(),
                                                          kColumns * kTileWidth, 3 * kTileHeight);
         std::vector<double> samples;
         for (int view = 0; view < kViews; ++view) {
@@ -89,7 +89,7 @@ class ConditioningWorthTest : public GlTest {
             devices::RgbdFrame frame;
             frame.depth = std::get<devices::Frame>(input.depth->read(devices::TimePoint::max()));
             frame.color = std::get<devices::Frame>(input.color->read(devices::TimePoint::max()));
-            pipeline.renderAtlas(frame);
+            pipeline.prepare(frame);
             before = std::exchange(views, viewsOf(pipeline));
         }
         if (truth.empty()) makeTruth(scene, pipeline.geometry(), frames);

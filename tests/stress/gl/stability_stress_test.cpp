@@ -58,8 +58,8 @@ void expectSceneOrBackground(const std::vector<std::uint8_t>& levels, const char
 }
 
 gpu::RgbImage readAtlas(const gpu::Pipeline& pipeline) {
-    const gpu::AtlasLayout& layout = pipeline.atlas().layout();
-    return gpu::readFramebuffer(pipeline.atlas().framebuffer(), layout.width(), layout.height());
+    const gpu::AtlasLayout& layout = pipeline.atlas()->layout();
+    return gpu::readFramebuffer(pipeline.atlas()->framebuffer(), layout.width(), layout.height());
 }
 
 /// What `render` exports beside views, once a scene.
@@ -89,7 +89,7 @@ TEST_F(StabilityStressTest, NothingThatCamerasDeliverBreaksIt) {
         SCOPED_TRACE("case " + std::to_string(i) + ": " + scene.name());
         gpu::Pipeline pipeline(scene.params, scene.rig, display, 96, 72);
         for (int frame = 0; frame < 3; ++frame) {
-            pipeline.renderAtlas(scene.next());
+            pipeline.prepare(scene.next());
             expectFinite(pipeline);
             expectSceneOrBackground(readAtlas(pipeline).pixels, "views");
         }
