@@ -12,16 +12,19 @@ const std::map<std::string, gpu::Method> kMethods{
     {"direct", gpu::Method::Direct},       {"instanced", gpu::Method::Instanced},
     {"multipass", gpu::Method::Multipass}, {"geometry", gpu::Method::Geometry},
     {"mrt", gpu::Method::Layered},         {"hybrid", gpu::Method::Hybrid}};
-const std::map<std::string, Picture> kPictures{
-    {"panel", Picture::Panel},    {"quilt", Picture::Quilt},
-    {"views", Picture::Views},    {"view", Picture::View},
-    {"depth", Picture::Depth},    {"2d-plus-depth", Picture::DepthFrame},
-    {"sbs", Picture::SideBySide}, {"anaglyph", Picture::Anaglyph}};
+const std::map<std::string, Picture> kPictures{{"panel", Picture::Panel},
+                                               {"quilt", Picture::Quilt},
+                                               {"views", Picture::Views},
+                                               {"view", Picture::View},
+                                               {"depth", Picture::Depth},
+                                               {"disparity", Picture::Disparity},
+                                               {"2d-plus-depth", Picture::DepthFrame},
+                                               {"sbs", Picture::SideBySide},
+                                               {"anaglyph", Picture::Anaglyph}};
 
 // Known words of the command line whose work is not in this version yet.
-constexpr std::array kLaterCommands{"calibrate", "record", "bench", "status",
-                                    "snapshot",  "reload", "set",   "show"};
-constexpr std::array kLaterPictures{"disparity"};
+constexpr std::array kLaterCommands{"record", "bench", "status", "snapshot",
+                                    "reload", "set",   "show"};
 constexpr std::array kLaterMethods{"auto"};
 
 void addScene(CLI::App& command, SceneOptions& scene) {
@@ -68,9 +71,9 @@ void addRender(CLI::App& app, RenderOptions& render) {
         "direct, instanced, multipass, geometry, mrt or hybrid");
     command
         ->add_option_function<std::string>(
-            "--as", oneOf(render.as, kPictures, "--as", kLaterPictures),
+            "--as", oneOf(render.as, kPictures, "--as"),
             "panel, quilt, views (a folder of PNGs), view (one eye), depth (16-bit PNG, mm), "
-            "2d-plus-depth, sbs or anaglyph")
+            "disparity (32-bit float TIFF, panel widths), 2d-plus-depth, sbs or anaglyph")
         ->required();
     command
         ->add_option_function<std::vector<double>>("--eye", vector3(render.eye, "--eye"),
@@ -83,7 +86,8 @@ void addRender(CLI::App& app, RenderOptions& render) {
             "X,Y,Z that the colour camera is moved by along its axes, metres")
         ->delimiter(',')
         ->expected(3);
-    command->add_option("--output", render.output, "PNG, or a folder for --as views")->required();
+    command->add_option("--output", render.output, "PNG or TIFF, or a folder for --as views")
+        ->required();
     command->add_flag_callback("--reference", [] { notInThisVersion("--reference"); })->group("");
     command->footer("Example: autostereo render --input sim:room --display slanted-8view-1080p "
                     "--as quilt --output room_qs4x2a1.78.png");
@@ -106,6 +110,24 @@ void addCheck(CLI::App& app, CheckOptions& check) {
     command->footer("Example: autostereo check /etc/autostereo/autostereo.toml");
 }
 
+constexpr std::array kLaterCalibrations{"cameras", "rig", "display"};
+
+void addCalibrate(CLI::App& app, CalibrateNoiseOptions& noise) {
+    CLI::App* calibrate = app.add_subcommand("calibrate", "Measure cameras and displays");
+    calibrate->require_subcommand(1);
+    CLI::App* command = calibrate->add_subcommand(
+        "noise", "The depth camera's noise, from a still scene, as a configuration file");
+    command->add_option("--input", noise.input, "Input URI of a scene in which nothing moves")
+        ->required();
+    command->add_option("--rig", noise.rig, "Cameras' calibration (replaces the input's own)");
+    command->add_option("--frames", noise.frames, "How many are measured (default: 60)")
+        ->check(CLI::Range(std::uint64_t{3}, std::uint64_t{1000}));
+    command->add_flag("--json", noise.json, "Figures for machines");
+    command->add_option("--output", noise.output, "Configuration file, .toml")->required();
+    command->footer(
+        "Example: autostereo calibrate noise --input recording.mkv --output noise.toml");
+}
+
 void addDevices(CLI::App& app, DevicesOptions& devices) {
     CLI::App* command = app.add_subcommand(
         "devices", "List monitors, their links, Looking Glass volumes, displays, inputs");
@@ -122,6 +144,9 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     app.name("autostereo");
     app.set_version_flag("--version", "autostereo " AUTOSTEREO_VERSION);
     if (argc > 1 && contains(kLaterCommands, argv[1])) notInThisVersion(argv[1]);
+    if (argc > 2 && argv[1] == std::string_view("calibrate") &&
+        contains(kLaterCalibrations, argv[2]))
+        notInThisVersion(std::string("calibrate ") + argv[2]);
 
     RunOptions run;
     RenderOptions render;
@@ -132,17 +157,21 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     LookOptions look;
     PatternOptions pattern;
     ImportOptions import;
+    CalibrateNoiseOptions noise;
     addRun(app, run);
     addRender(app, render);
     addDisplayCommands(app, interleave, viewmap, look, pattern, import);
     addCheck(app, check);
     addDevices(app, devices);
+    addCalibrate(app, noise);
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        const auto given = app.get_subcommands();
-        return Information{(given.empty() ? &app : given.front())->help()};
+        const CLI::App* asked = &app;
+        while (!asked->get_subcommands().empty())
+            asked = asked->get_subcommands().front();
+        return Information{asked->help()};
     } catch (const CLI::CallForVersion& version) {
         return Information{std::string(version.what()) + '\n'};
     } catch (const CLI::ParseError& error) {
@@ -152,11 +181,12 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     const std::map<std::string, CommandLine> options{
         {"run", run},         {"render", render},         {"check", check},
         {"devices", devices}, {"interleave", interleave}, {"viewmap", viewmap},
-        {"look", look},       {"pattern", pattern},       {"import", import}};
+        {"look", look},       {"pattern", pattern},       {"import", import},
+        {"calibrate", noise}};
     for (const CLI::App* command : app.get_subcommands())
         return options.at(command->get_name());
     throw UsageError("no command given (run, render, interleave, viewmap, look, pattern, import, "
-                     "check, devices): see autostereo --help");
+                     "calibrate, check, devices): see autostereo --help");
 }
 
 } // namespace autostereo::daemon

@@ -38,7 +38,17 @@ struct RunOptions {
     std::optional<std::filesystem::path> report;
 };
 
-enum class Picture { Panel, Quilt, Views, View, Depth, DepthFrame, SideBySide, Anaglyph };
+enum class Picture {
+    Panel,
+    Quilt,
+    Views,
+    View,
+    Depth,
+    Disparity,
+    DepthFrame,
+    SideBySide,
+    Anaglyph
+};
 
 struct RenderOptions {
     SceneOptions scene;
@@ -103,14 +113,22 @@ struct ImportOptions {
     std::filesystem::path output;
 };
 
+struct CalibrateNoiseOptions {
+    std::string input;
+    std::optional<std::filesystem::path> rig;
+    std::uint64_t frames = 60;
+    bool json = false;
+    std::filesystem::path output;
+};
+
 /// --help or --version: the text is printed, exit code 0.
 struct Information {
     std::string text;
 };
 
-using CommandLine =
-    std::variant<RunOptions, RenderOptions, CheckOptions, DevicesOptions, InterleaveOptions,
-                 ViewmapOptions, LookOptions, PatternOptions, ImportOptions, Information>;
+using CommandLine = std::variant<RunOptions, RenderOptions, CheckOptions, DevicesOptions,
+                                 InterleaveOptions, ViewmapOptions, LookOptions, PatternOptions,
+                                 ImportOptions, CalibrateNoiseOptions, Information>;
 
 /// Throws UsageError. Commands and options of later versions are known and say so.
 [[nodiscard]] CommandLine parseCommandLine(int argc, const char* const* argv);

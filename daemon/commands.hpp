@@ -13,6 +13,7 @@ int interleave(const InterleaveOptions& options);
 int viewmap(const ViewmapOptions& options);
 int look(const LookOptions& options);
 int pattern(const PatternOptions& options);
+int calibrateNoise(const CalibrateNoiseOptions& options);
 int importCalibration(const ImportOptions& options);
 
 } // namespace autostereo::daemon

@@ -3,8 +3,8 @@
 #include "daemon/command_words.hpp"
 #include "daemon/commands.hpp"
 #include "daemon/wiring.hpp"
+#include "devices/replay/whole_file.hpp"
 
-#include <fstream>
 #include <iostream>
 
 namespace autostereo::daemon {
@@ -22,24 +22,6 @@ config::Vendor vendorOf(const std::string& kind) {
     return *vendor;
 }
 
-/// Under a temporary name first: a file that is there is the whole one.
-void write(const std::filesystem::path& file, const std::string& text) {
-    std::filesystem::path temporary = file;
-    temporary += ".part";
-    std::ofstream out(temporary, std::ios::binary);
-    out << text;
-    out.close();
-    std::error_code error;
-    if (out) std::filesystem::rename(temporary, file, error);
-    if (!out || error) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        throw std::runtime_error(
-            "import: cannot write " + file.string() + ": " +
-            (error ? error : std::error_code(errno, std::generic_category())).message());
-    }
-}
-
 } // namespace
 
 int importCalibration(const ImportOptions& options) {
@@ -53,7 +35,7 @@ int importCalibration(const ImportOptions& options) {
                               {options.base, options.order});
     // Nothing is written that would not load.
     const auto display = config::displayFromText(options.output.string(), imported.toml);
-    write(options.output, imported.toml);
+    devices::writeWhole(options.output, imported.toml, "import: ");
     for (const std::string& warning : imported.warnings)
         std::cerr << options.file.string() << ": warning: " << warning << '\n';
     std::cout << options.output.string() << ": " << display.model << " (built on " << imported.base

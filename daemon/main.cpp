@@ -28,6 +28,9 @@ int perform(const daemon::CommandLine& command) {
             [](const daemon::LookOptions& options) { return daemon::look(options); },
             [](const daemon::PatternOptions& options) { return daemon::pattern(options); },
             [](const daemon::ImportOptions& options) { return daemon::importCalibration(options); },
+            [](const daemon::CalibrateNoiseOptions& options) {
+                return daemon::calibrateNoise(options);
+            },
             [](const daemon::Information& information) {
                 std::cout << information.text;
                 return EXIT_SUCCESS;

@@ -108,6 +108,10 @@ int render(const RenderOptions& options) {
                                  options.eye.value_or(glm::dvec3{0, 0, display.viewingDistanceM}),
                                  size.width, size.height));
         break;
+    case Picture::Disparity:
+        writeFloatTiff(options.output,
+                       gpu::renderDisparity(pipeline, params, display, size.width, size.height));
+        break;
     case Picture::Depth:
         writeDepthPng(options.output,
                       gpu::renderRegisteredDepth(pipeline.depth(),

@@ -11,12 +11,54 @@ namespace autostereo::devices {
 
 enum class PixelFormat : std::uint8_t {
     Depth16, ///< host-endian uint16 counts of `depthUnitM` along the optical axis; 0, 65535: none
-    Rgba8,   ///< 8-bit R, G, B, 255; gamma-encoded as the camera gave it
+    // Colour, 8 bits a sample, gamma-encoded as the camera gave it.
+    Rgba8, ///< R, G, B, 255
+    Bgra8, ///< B, G, R, any
+    Rgb8,  ///< V4L2's RGB24
+    Bgr8,
+    Grey8,
+    Yuyv, ///< Y Cb Y Cr: two pixels share their chroma
+    Uyvy, ///< Cb Y Cr Y
+    Nv12, ///< all Y, then rows of Cb Cr, of which four pixels share one
 };
 
-[[nodiscard]] constexpr std::size_t bytesPerPixel(PixelFormat format) {
-    return format == PixelFormat::Depth16 ? 2 : 4;
+/// Of tightly packed rows. Sides have to be as `allowsSize` wants them.
+[[nodiscard]] constexpr std::size_t frameBytes(PixelFormat format, int width, int height) {
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    switch (format) {
+    case PixelFormat::Grey8:
+        return pixels;
+    case PixelFormat::Nv12:
+        return pixels / 2 * 3;
+    case PixelFormat::Depth16:
+    case PixelFormat::Yuyv:
+    case PixelFormat::Uyvy:
+        return pixels * 2;
+    case PixelFormat::Rgb8:
+    case PixelFormat::Bgr8:
+        return pixels * 3;
+    case PixelFormat::Rgba8:
+    case PixelFormat::Bgra8:
+        break;
+    }
+    return pixels * 4;
 }
+
+/// Shared chroma needs even sides.
+[[nodiscard]] constexpr bool allowsSize(PixelFormat format, int width, int height) {
+    const bool pairs = format == PixelFormat::Yuyv || format == PixelFormat::Uyvy;
+    const bool blocks = format == PixelFormat::Nv12;
+    return width >= 1 && height >= 1 && (!(pairs || blocks) || width % 2 == 0) &&
+           (!blocks || height % 2 == 0);
+}
+
+/// How Y, Cb and Cr stand for colours. Auto: BT.709 from 720 rows on, BT.601 below; limited range.
+enum class YuvMatrix : std::uint8_t { Auto, Bt601, Bt709 };
+enum class YuvRange : std::uint8_t {
+    Auto,
+    Limited, ///< Y 16..235, Cb and Cr 16..240
+    Full,    ///< 0..255, as in JPEG
+};
 
 struct FrameMetadata {
     PixelFormat format = PixelFormat::Rgba8;
@@ -25,7 +67,9 @@ struct FrameMetadata {
     std::uint64_t sequence = 0; ///< per stream; gaps are frames the source lost
     TimePoint capturedAt{};     ///< middle of the exposure
     double depthUnitM = 0.001;  ///< metres per count, Depth16 only
-    bool hasAmplitude = false;  ///< Depth16: a uint16 IR amplitude plane follows the depth
+    YuvMatrix matrix = YuvMatrix::Auto;
+    YuvRange range = YuvRange::Auto;
+    bool hasAmplitude = false; ///< Depth16: a uint16 IR amplitude plane follows the depth
 };
 
 /// One picture from one sensor, holding a lease on a slot of its source's FramePool.
@@ -64,13 +108,9 @@ class Frame {
                static_cast<std::size_t>(metadata_.height);
     }
 
-    /// width * height * bytesPerPixel, top row first.
-    [[nodiscard]] std::span<const std::byte> pixels() const {
-        return storage_.first(pixelCount() * bytesPerPixel(metadata_.format));
-    }
-    [[nodiscard]] std::span<std::byte> pixels() {
-        return storage_.first(pixelCount() * bytesPerPixel(metadata_.format));
-    }
+    /// `frameBytes` of them, top row first.
+    [[nodiscard]] std::span<const std::byte> pixels() const { return storage_.first(byteCount()); }
+    [[nodiscard]] std::span<std::byte> pixels() { return storage_.first(byteCount()); }
     [[nodiscard]] std::span<const std::uint16_t> depth() const { return plane16(0); }
     [[nodiscard]] std::span<std::uint16_t> depth() { return plane16(0); }
     /// Empty where the sensor has none.
@@ -87,6 +127,9 @@ class Frame {
         std::swap(slot_, other.slot_);
         std::swap(storage_, other.storage_);
         std::swap(metadata_, other.metadata_);
+    }
+    [[nodiscard]] std::size_t byteCount() const {
+        return frameBytes(metadata_.format, metadata_.width, metadata_.height);
     }
     [[nodiscard]] std::span<std::uint16_t> plane16(std::size_t plane) const {
         // Slots are allocated with the alignment of max_align_t, so the cast is to aligned storage.

@@ -37,6 +37,13 @@ struct ConditionBlock {
 };
 static_assert(sizeof(ConditionBlock) == 48);
 
+/// shaders/color_converter.comp, binding 6.
+struct ColorBlock {
+    glm::vec4 levels{0};
+    glm::vec4 weights{0};
+};
+static_assert(sizeof(ColorBlock) == 32);
+
 /// shaders/views_block.glsl, binding 1.
 struct ViewsBlock {
     glm::ivec4 tiles{0};

@@ -75,6 +75,20 @@ RgbImage MovedCamera::render(const Pipeline& pipeline) {
     return image;
 }
 
+FloatImage renderDisparity(const Pipeline& pipeline, const PipelineParams& params,
+                           const calib::DisplayProfile& display, int width, int height) {
+    DisparityView view(params.mesh, width, height, display.disparityFar);
+    view.render(pipeline.fusion().layers(), pipeline.color());
+    FloatImage image{width, height, {}};
+    image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(view.texture().name(), 0, GL_RED, GL_FLOAT,
+                      static_cast<GLsizei>(image.values.size() * sizeof(float)),
+                      image.values.data());
+    flipRows(image.values, static_cast<std::size_t>(width));
+    return image;
+}
+
 DepthImage renderRegisteredDepth(const gl::Texture& counts, double depthUnitM,
                                  const PipelineParams& params, const calib::SensorRig& rig) {
     const int width = rig.color.intrinsics.width, height = rig.color.intrinsics.height;

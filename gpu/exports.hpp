@@ -36,6 +36,18 @@ class MovedCamera {
     gl::Program program_;
 };
 
+/// 32-bit floats, tightly packed, top row first.
+struct FloatImage {
+    int width = 0;
+    int height = 0;
+    std::vector<float> values;
+};
+/// Disparity of the cyclopean view, panel widths at the edge of the fan (near: > 0), inside the
+/// display's budget, at width x height pixels.
+[[nodiscard]] FloatImage renderDisparity(const Pipeline& pipeline, const PipelineParams& params,
+                                         const calib::DisplayProfile& display, int width,
+                                         int height);
+
 /// Measured depth at the colour camera: millimetres (rounded; 0: none), its size, top row first.
 struct DepthImage {
     int width = 0;

@@ -35,22 +35,35 @@ void FrameUploader::Staging::copy(std::span<const std::byte> pixels, const gl::T
 
 void FrameUploader::upload(const devices::RgbdFrame& frame) {
     const devices::FrameMetadata& depth = frame.depth.metadata();
-    const devices::FrameMetadata& color = frame.color.metadata();
     if (!depth_.isSized(depth.width, depth.height))
         depth_ = gl::Texture(GL_R16UI, depth.width, depth.height);
     if (depth.hasAmplitude && !amplitude_.isSized(depth.width, depth.height))
         amplitude_ = gl::Texture(GL_R16UI, depth.width, depth.height);
-    if (!color_.isSized(color.width, color.height)) {
-        color_ = gl::Texture(GL_RGBA8, color.width, color.height);
-        color_.setFilter(GL_LINEAR);
-    }
     ring_[next_].copy(frame.depth.pixels(), depth_, GL_RED_INTEGER, GL_UNSIGNED_SHORT);
-    ring_[next_ + 1].copy(frame.color.pixels(), color_, GL_RGBA, GL_UNSIGNED_BYTE);
+    uploadColor(frame.color);
     hasAmplitude_ = depth.hasAmplitude;
     if (hasAmplitude_)
         ring_[next_ + 2].copy(std::as_bytes(frame.depth.amplitude()), amplitude_, GL_RED_INTEGER,
                               GL_UNSIGNED_SHORT);
     next_ = (next_ + kPlanes) % ring_.size();
+}
+
+void FrameUploader::uploadColor(const devices::Frame& frame) {
+    const devices::FrameMetadata& form = frame.metadata();
+    if (!color_.isSized(form.width, form.height)) {
+        color_ = gl::Texture(GL_RGBA8, form.width, form.height);
+        color_.setFilter(GL_LINEAR);
+    }
+    Staging& staging = ring_[next_ + 1];
+    if (!ColorConverter::converts(form.format)) {
+        const GLenum order = form.format == devices::PixelFormat::Bgra8 ? GL_BGRA : GL_RGBA;
+        staging.copy(frame.pixels(), color_, order, GL_UNSIGNED_BYTE);
+        return;
+    }
+    const auto [columns, rows] = ColorConverter::byteGrid(form);
+    if (!colorBytes_.isSized(columns, rows)) colorBytes_ = gl::Texture(GL_R8, columns, rows);
+    staging.copy(frame.pixels(), colorBytes_, GL_RED, GL_UNSIGNED_BYTE);
+    converter_.convert(form, colorBytes_, color_);
 }
 
 } // namespace autostereo::gpu

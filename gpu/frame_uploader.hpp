@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devices/frame.hpp"
+#include "gpu/color_converter.hpp"
 #include "gpu/gl/objects.hpp"
 
 #include <array>
@@ -8,7 +9,8 @@
 namespace autostereo::gpu {
 
 /// Frames -> textures, through a ring of persistently mapped buffers, so that the copy to the GPU
-/// never waits for the frame before. depth, amplitude: R16UI counts; color: RGBA8, linear filter.
+/// never waits for the frame before. depth, amplitude: R16UI counts; color: RGBA8, linear filter,
+/// converted on the GPU from whatever format it has.
 /// Textures follow the frames' size. Thread-bound.
 class FrameUploader {
   public:
@@ -21,6 +23,8 @@ class FrameUploader {
     [[nodiscard]] const gl::Texture& color() const { return color_; }
 
   private:
+    void uploadColor(const devices::Frame& frame);
+
     /// A mapped staging buffer and the fence behind its last copy.
     class Staging {
       public:
@@ -48,6 +52,8 @@ class FrameUploader {
     gl::Texture depth_;
     gl::Texture amplitude_;
     gl::Texture color_;
+    ColorConverter converter_;
+    gl::Texture colorBytes_; ///< R8, where the camera's format is converted
 };
 
 } // namespace autostereo::gpu

@@ -1,6 +1,5 @@
 #include "gpu/readback.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace autostereo::gpu {
@@ -12,12 +11,7 @@ RgbImage readFramebuffer(GLuint framebuffer, int width, int height) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
-    for (std::size_t low = 0, high = static_cast<std::size_t>(height); low + 1 < high; ++low) {
-        --high;
-        std::swap_ranges(image.pixels.begin() + static_cast<std::ptrdiff_t>(low * stride),
-                         image.pixels.begin() + static_cast<std::ptrdiff_t>((low + 1) * stride),
-                         image.pixels.begin() + static_cast<std::ptrdiff_t>(high * stride));
-    }
+    flipRows(image.pixels, stride);
     return image;
 }
 

@@ -1,7 +1,6 @@
 #include "devices/replay/kinect_sources.hpp"
 
-#include "devices/replay/color_formats.hpp"
-
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <utility>
@@ -12,6 +11,20 @@ namespace {
 
 std::size_t pixelCount(PictureSize size) {
     return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+}
+
+PixelFormat pixelFormat(KinectColorFormat format) {
+    switch (format) {
+    case KinectColorFormat::Nv12:
+        return PixelFormat::Nv12;
+    case KinectColorFormat::Yuy2:
+        return PixelFormat::Yuyv;
+    case KinectColorFormat::Bgra:
+        return PixelFormat::Bgra8;
+    case KinectColorFormat::Mjpg:
+        break;
+    }
+    return PixelFormat::Rgba8; // as the decoder gives it
 }
 
 void fromBigEndian(std::span<const std::byte> from, std::span<std::uint16_t> to) {
@@ -89,7 +102,7 @@ SourceCounters KinectDepthSource::counters() const noexcept { return total(strea
 
 KinectColorSource::KinectColorSource(const KinectTrack& color, KinectColorFormat format)
     : track_(color), format_(format), blocks_(color.path, color.info, color.number),
-      stream_(PixelFormat::Rgba8, color.size) {}
+      stream_(pixelFormat(format), color.size) {}
 
 std::optional<Frame> KinectColorSource::convertJpeg(const MatroskaBlock& block) {
     const std::uint64_t sequence = sequence_++;
@@ -102,23 +115,18 @@ std::optional<Frame> KinectColorSource::convertJpeg(const MatroskaBlock& block) 
 std::optional<Frame> KinectColorSource::convert(const MatroskaBlock& block) {
     if (format_ == KinectColorFormat::Mjpg) return convertJpeg(block);
     const std::uint64_t sequence = sequence_++;
-    const std::size_t pixels = pixelCount(track_.size);
-    const std::size_t expected = format_ == KinectColorFormat::Nv12   ? pixels * 3 / 2
-                                 : format_ == KinectColorFormat::Yuy2 ? pixels * 2
-                                                                      : pixels * 4;
-    if (block.payload.size() != expected) {
+    const auto [width, height] = track_.size;
+    const PixelFormat format = pixelFormat(format_);
+    if (!allowsSize(format, width, height) ||
+        block.payload.size() != frameBytes(format, width, height)) {
         stream_.countDamaged();
         return std::nullopt;
     }
     auto frame = stream_.slot(track_.size, sequence, TimePoint{block.time + track_.startOffset});
     if (!frame) return std::nullopt;
-    if (format_ == KinectColorFormat::Nv12)
-        nv12ToRgba(block.payload, static_cast<std::size_t>(track_.size.width),
-                   static_cast<std::size_t>(track_.size.height), frame->pixels());
-    else if (format_ == KinectColorFormat::Yuy2)
-        yuy2ToRgba(block.payload, frame->pixels());
-    else
-        bgraToRgba(block.payload, frame->pixels());
+    frame->metadata().matrix = YuvMatrix::Bt601; // as the Azure Kinect's own software reads them
+    frame->metadata().range = YuvRange::Limited;
+    std::ranges::copy(block.payload, frame->pixels().begin());
     return frame;
 }
 

@@ -42,7 +42,8 @@ class KinectDepthSource final : public Source {
 
 enum class KinectColorFormat : std::uint8_t { Mjpg, Nv12, Yuy2, Bgra };
 
-/// Colour, decoded to Rgba8. Plays without waiting; damaged blocks are counted. Thread-bound.
+/// Colour, as it is recorded; JPEG decoded to Rgba8. Plays without waiting; damaged blocks are
+/// counted. Thread-bound.
 class KinectColorSource final : public Source {
   public:
     KinectColorSource(const KinectTrack& color, KinectColorFormat format);

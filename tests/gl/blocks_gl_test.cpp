@@ -42,6 +42,12 @@ TEST_F(BlocksGlTest, ConditionBlock) {
     EXPECT_EQ(offsetOf(program, "hold"), offsetof(gpu::ConditionBlock, hold));
 }
 
+TEST_F(BlocksGlTest, ColorBlock) {
+    const gpu::gl::Program program({"color_converter.comp"}, {"NV12"});
+    EXPECT_EQ(offsetOf(program, "levels"), offsetof(gpu::ColorBlock, levels));
+    EXPECT_EQ(offsetOf(program, "weights"), offsetof(gpu::ColorBlock, weights));
+}
+
 TEST_F(BlocksGlTest, ViewsBlock) {
     const gpu::gl::Program program({"mesh_view.vert", "mesh_view.frag"});
     EXPECT_EQ(offsetOf(program, "tiles"), offsetof(gpu::ViewsBlock, tiles));

@@ -77,9 +77,9 @@ inline std::optional<Node> node(const MeshInput& in, int x, int y, std::uint32_t
     const auto pixel = in.rig.color.project(point);
     if (!pixel) return std::nullopt;
     const calib::Framing& f = in.geometry.framing;
-    const double x = point.x / point.z, y = point.y / point.z;
-    const double across = f.uprightFromCamera[0][0] * x + f.uprightFromCamera[1][0] * y;
-    const double down = f.uprightFromCamera[0][1] * x + f.uprightFromCamera[1][1] * y;
+    const double sx = point.x / point.z, sy = point.y / point.z;
+    const double across = f.uprightFromCamera[0][0] * sx + f.uprightFromCamera[1][0] * sy;
+    const double down = f.uprightFromCamera[0][1] * sx + f.uprightFromCamera[1][1] * sy;
     return Node{(across - f.left) / f.width,
                 (f.bottom - down) / f.height,
                 disparity(in.geometry.law, point.z),

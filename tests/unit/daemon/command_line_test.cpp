@@ -121,17 +121,30 @@ TEST(CommandLine, CheckAndDevices) {
     EXPECT_EQ(std::get<DevicesOptions>(parse({"devices", "--root", "/tmp/x"})).root, "/tmp/x");
 }
 
+TEST(CommandLine, CalibrateNoise) {
+    const auto noise = std::get<CalibrateNoiseOptions>(
+        parse({"calibrate", "noise", "--input", "a.mkv", "--frames", "9", "--output", "n.toml"}));
+    EXPECT_EQ(noise.input, "a.mkv");
+    EXPECT_EQ(noise.frames, 9U);
+    EXPECT_EQ(noise.output, "n.toml");
+    EXPECT_FALSE(noise.json);
+    EXPECT_NE(usageError({"calibrate"}), "");
+    EXPECT_NE(usageError({"calibrate", "noise", "--input", "a", "--frames", "2", "--output", "n"}),
+              "");
+    EXPECT_NE(std::get<Information>(parse({"calibrate", "noise", "--help"})).text.find("--frames"),
+              std::string::npos);
+}
+
 TEST(CommandLine, LaterCommandsAndOptionsSaySo) {
-    for (const char* command :
-         {"calibrate", "record", "bench", "status", "snapshot", "reload", "set", "show"})
+    for (const char* command : {"record", "bench", "status", "snapshot", "reload", "set", "show"})
         EXPECT_EQ(usageError({command, "--whatever", "x"}),
                   std::string(command) + ": not in this version");
     EXPECT_EQ(usageError({"run", "--record", "a.mkv"}), "--record: not in this version");
     EXPECT_EQ(usageError({"run", "--record-raw", "a"}), "--record-raw: not in this version");
     EXPECT_EQ(renderError({"--reference"}), "--reference: not in this version");
-    for (const char* picture : {"disparity"})
-        EXPECT_EQ(usageError({"render", "--as", picture, "--output", "o"}),
-                  std::string("--as ") + picture + ": not in this version");
+    for (const char* what : {"cameras", "rig", "display"})
+        EXPECT_EQ(usageError({"calibrate", what}),
+                  std::string("calibrate ") + what + ": not in this version");
     for (const char* method : {"auto"})
         EXPECT_EQ(renderError({"--method", method}),
                   std::string("--method ") + method + ": not in this version");
@@ -143,7 +156,7 @@ TEST(CommandLine, UnknownWordsAreNamedWithWhatIsAllowed) {
     EXPECT_EQ(usageError({"run", "--speed", "fast"}),
               "--speed: fast is not known (allowed max, realtime)");
     EXPECT_EQ(usageError({"render", "--as", "photo", "--output", "o"}),
-              "--as: photo is not known (allowed 2d-plus-depth, anaglyph, depth, panel, "
+              "--as: photo is not known (allowed 2d-plus-depth, anaglyph, depth, disparity, panel, "
               "quilt, sbs, view, views)");
     EXPECT_EQ(renderError({"--method", "magic"}),
               "--method: magic is not known (allowed instanced, multipass)");
@@ -197,7 +210,7 @@ TEST(CommandLine, WhatCannotBeReadIsOneLineAndNamesTheOption) {
 TEST(CommandLine, NoCommandSaysWhichThereAre) {
     EXPECT_EQ(usageError({}),
               "no command given (run, render, interleave, viewmap, look, pattern, import, "
-              "check, devices): see autostereo --help");
+              "calibrate, check, devices): see autostereo --help");
 }
 
 TEST(CommandLine, HelpShowsAnExampleForEachCommand) {

@@ -1,0 +1,28 @@
+#include "devices/replay/whole_file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace autostereo::devices {
+
+void writeWhole(const std::filesystem::path& path, std::string_view bytes, std::string_view who) {
+    const std::string temporary = path.string() + "." + std::to_string(::getpid()) + ".part";
+    std::ofstream out(temporary, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    std::error_code error;
+    if (out) std::filesystem::rename(temporary, path, error);
+    if (out && !error) return;
+    if (!error) error = std::error_code(errno, std::generic_category());
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw std::runtime_error(std::string(who) + "cannot write " + path.string() + ": " +
+                             error.message());
+}
+
+} // namespace autostereo::devices
