@@ -1,6 +1,7 @@
 #include "gpu/exports.hpp"
 
 #include "gpu/depth_registration.hpp"
+#include "gpu/views/disparity_view.hpp"
 #include "gpu/views/layer_mesher.hpp"
 
 #include <algorithm>
@@ -77,8 +78,11 @@ RgbImage MovedCamera::render(const Pipeline& pipeline) {
 
 FloatImage renderDisparity(const Pipeline& pipeline, const PipelineParams& params,
                            const calib::DisplayProfile& display, int width, int height) {
+    gl::UniformBuffer<MeshBlock> mesh;
+    mesh.bind(0, pipeline.mesh().block());
+    LayerMesher mesher;
     DisparityView view(params.mesh, width, height, display.disparityFar);
-    view.render(pipeline.fusion().layers(), pipeline.color());
+    view.render(mesher.build(pipeline.scene()), pipeline.color());
     FloatImage image{width, height, {}};
     image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -46,6 +46,7 @@ TEST_P(OverscanGlTest, OutermostViewsHaveNoRepeatedBorder) {
     display.fan = calib::Fan::Edges; // b = -1 and b = 1
     gpu::PipelineParams params;
     params.budget.focusM = kFocusM;
+    params.synthesis.method = gpu::Method::Instanced;
     gpu::Pipeline pipeline(params, pair.rig, display, display.width, display.height);
     pipeline.prepare(pair.frame);
     const double d = pipeline.geometry().law.disparity(GetParam());

@@ -83,6 +83,7 @@ class ConditioningWorthTest : public GlTest {
         gpu::PipelineParams params;
         params.condition = condition;
         params.budget.focusM = 1.8;
+        params.synthesis.method = gpu::Method::Instanced;
         gpu::Pipeline pipeline(params, *input.rig, nineViews(), kTileWidth, kTileHeight);
         std::vector<double> views, before;
         for (int i = 0; i < frames; ++i) {

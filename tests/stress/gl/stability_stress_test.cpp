@@ -3,6 +3,8 @@
 
 #include "gpu/depth_registration.hpp"
 #include "gpu/exports.hpp"
+#include "gpu/views/direct_synthesis.hpp"
+#include "gpu/views/layer_mesher.hpp"
 #include "tests/gl/scene_support.hpp"
 #include "tests/stress/campaign.hpp"
 #include "tests/stress/gl/hostile_scenes.hpp"
@@ -30,7 +32,8 @@ std::size_t notFinite(const gpu::gl::Texture& texture) {
 void expectFinite(const gpu::Pipeline& pipeline) {
     const gpu::Fusion& fusion = pipeline.fusion();
     const gpu::BackgroundLayer& background = fusion.background();
-    const gpu::MeshLayers& layers = fusion.layers();
+    gpu::LayerMesher mesher;
+    const gpu::MeshLayers& layers = mesher.build(pipeline.scene());
     const std::pair<const char*, const gpu::gl::Texture&> textures[] = {
         {"mesh points", pipeline.mesh().layer().points},
         {"mesh sources", pipeline.mesh().layer().sources},
@@ -62,6 +65,18 @@ gpu::RgbImage readAtlas(const gpu::Pipeline& pipeline) {
     return gpu::readFramebuffer(pipeline.atlas()->framebuffer(), layout.width(), layout.height());
 }
 
+/// The same scene by the search.
+void expectDirectShowsScene(const gpu::Pipeline& pipeline, const HostileScene& scene,
+                            const calib::DisplayProfile& display) {
+    constexpr int kWidth = 96, kHeight = 72;
+    const gpu::gl::Texture target(GL_RGBA8, kWidth, kHeight);
+    const gpu::gl::Framebuffer panel = gpu::gl::makeFramebuffer(target);
+    gpu::DirectSynthesis direct(scene.params, display, kWidth, kHeight);
+    direct.prepare(pipeline.scene());
+    direct.show(pipeline.scene(), panel.name());
+    expectSceneOrBackground(gpu::readFramebuffer(panel.name(), kWidth, kHeight).pixels, "panel");
+}
+
 /// What `render` exports beside views, once a scene.
 void exportAll(HostileScene& scene, const gpu::Pipeline& pipeline,
                const calib::DisplayProfile& display) {
@@ -87,12 +102,14 @@ TEST_F(StabilityStressTest, NothingThatCamerasDeliverBreaksIt) {
         HostileScene scene(i, kGridSizes[number % kGridSizes.size()],
                            kPixelClasses[number / kGridSizes.size()]);
         SCOPED_TRACE("case " + std::to_string(i) + ": " + scene.name());
+        scene.params.synthesis.method = gpu::Method::Instanced;
         gpu::Pipeline pipeline(scene.params, scene.rig, display, 96, 72);
         for (int frame = 0; frame < 3; ++frame) {
             pipeline.prepare(scene.next());
             expectFinite(pipeline);
             expectSceneOrBackground(readAtlas(pipeline).pixels, "views");
         }
+        expectDirectShowsScene(pipeline, scene, display);
         if (i % 4 == 0) exportAll(scene, pipeline, display);
         if (HasFailure()) return; // the first case is the one to look at
     }
