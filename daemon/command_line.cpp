@@ -23,8 +23,7 @@ const std::map<std::string, Picture> kPictures{{"panel", Picture::Panel},
                                                {"anaglyph", Picture::Anaglyph}};
 
 // Known words of the command line whose work is not in this version yet.
-constexpr std::array kLaterCommands{"record", "bench", "status", "snapshot",
-                                    "reload", "set",   "show"};
+constexpr std::array kLaterCommands{"record", "status", "snapshot", "reload", "set", "show"};
 constexpr std::array kLaterMethods{"auto"};
 
 void addScene(CLI::App& command, SceneOptions& scene) {
@@ -110,6 +109,16 @@ void addCheck(CLI::App& app, CheckOptions& check) {
     command->footer("Example: autostereo check /etc/autostereo/autostereo.toml");
 }
 
+void addBench(CLI::App& app, BenchOptions& bench) {
+    CLI::App* command =
+        app.add_subcommand("bench", "Run time of every method against its error, as a table");
+    command->add_option("--suite", bench.suite, "quick (two minutes) or full (default: quick)")
+        ->check(CLI::IsMember({"quick", "full"}));
+    command->add_option("--json", bench.json, "The rows for machines");
+    command->add_option("--plot", bench.plot, "Folder for a picture (SVG) of each scene");
+    command->footer("Example: autostereo bench --suite quick --json bench.json --plot plots");
+}
+
 constexpr std::array kLaterCalibrations{"cameras", "rig", "display"};
 
 void addCalibrate(CLI::App& app, CalibrateNoiseOptions& noise) {
@@ -157,12 +166,14 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     LookOptions look;
     PatternOptions pattern;
     ImportOptions import;
+    BenchOptions bench;
     CalibrateNoiseOptions noise;
     addRun(app, run);
     addRender(app, render);
     addDisplayCommands(app, interleave, viewmap, look, pattern, import);
     addCheck(app, check);
     addDevices(app, devices);
+    addBench(app, bench);
     addCalibrate(app, noise);
     app.require_subcommand(0, 1);
     try {
@@ -182,11 +193,11 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
         {"run", run},         {"render", render},         {"check", check},
         {"devices", devices}, {"interleave", interleave}, {"viewmap", viewmap},
         {"look", look},       {"pattern", pattern},       {"import", import},
-        {"calibrate", noise}};
+        {"bench", bench},     {"calibrate", noise}};
     for (const CLI::App* command : app.get_subcommands())
         return options.at(command->get_name());
     throw UsageError("no command given (run, render, interleave, viewmap, look, pattern, import, "
-                     "calibrate, check, devices): see autostereo --help");
+                     "calibrate, check, devices, bench): see autostereo --help");
 }
 
 } // namespace autostereo::daemon

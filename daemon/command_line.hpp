@@ -113,6 +113,12 @@ struct ImportOptions {
     std::filesystem::path output;
 };
 
+struct BenchOptions {
+    std::string suite = "quick";
+    std::optional<std::filesystem::path> json;
+    std::optional<std::filesystem::path> plot; ///< folder
+};
+
 struct CalibrateNoiseOptions {
     std::string input;
     std::optional<std::filesystem::path> rig;
@@ -128,7 +134,7 @@ struct Information {
 
 using CommandLine = std::variant<RunOptions, RenderOptions, CheckOptions, DevicesOptions,
                                  InterleaveOptions, ViewmapOptions, LookOptions, PatternOptions,
-                                 ImportOptions, CalibrateNoiseOptions, Information>;
+                                 ImportOptions, BenchOptions, CalibrateNoiseOptions, Information>;
 
 /// Throws UsageError. Commands and options of later versions are known and say so.
 [[nodiscard]] CommandLine parseCommandLine(int argc, const char* const* argv);

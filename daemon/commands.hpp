@@ -14,6 +14,7 @@ int viewmap(const ViewmapOptions& options);
 int look(const LookOptions& options);
 int pattern(const PatternOptions& options);
 int calibrateNoise(const CalibrateNoiseOptions& options);
+int benchmark(const BenchOptions& options);
 int importCalibration(const ImportOptions& options);
 
 } // namespace autostereo::daemon

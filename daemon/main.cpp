@@ -27,6 +27,7 @@ int perform(const daemon::CommandLine& command) {
             [](const daemon::ViewmapOptions& options) { return daemon::viewmap(options); },
             [](const daemon::LookOptions& options) { return daemon::look(options); },
             [](const daemon::PatternOptions& options) { return daemon::pattern(options); },
+            [](const daemon::BenchOptions& options) { return daemon::benchmark(options); },
             [](const daemon::ImportOptions& options) { return daemon::importCalibration(options); },
             [](const daemon::CalibrateNoiseOptions& options) {
                 return daemon::calibrateNoise(options);

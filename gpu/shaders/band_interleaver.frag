@@ -30,14 +30,32 @@ float weight(uint phase, int channel) {
 #endif
 }
 
+// The first eye from `eye` on that a sub-pixel is lit for; their number where there is none.
+int nextLit(int eye, ivec2 place, uint sheet, int channel) {
+    for (; eye < panel.w; ++eye)
+        if (weight(affinePhases(eye, uvec2(place))[channel] + sheet, channel) != 0.0) break;
+    return eye;
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy); // y up
     ivec2 place = ivec2(pixel.x, panel.y - 1 - pixel.y);
     Place shown = placeOf(pixel);
     vec3 brightest = vec3(0.0), lobes = vec3(0.0);
-    uint grid = gridPhase(place); // of the sheet, whoever looks
+    uint sheet = gridPhase(place); // whoever looks
+#ifdef SEARCH
+    // A search is dear: each pass looks for the next eye that is lit, mostly the only one.
+    for (int channel = 0; channel < 3; ++channel)
+        for (int eye = nextLit(0, place, sheet, channel); eye < panel.w;
+             eye = nextLit(eye + 1, place, sheet, channel)) {
+            float share = weight(affinePhases(eye, uvec2(place))[channel] + sheet, channel);
+            float light = share * samplePlace(eye, shown, channel);
+            brightest[channel] = max(brightest[channel], light);
+            lobes[channel] += min(light, 0.0);
+        }
+#else
     for (int eye = 0; eye < panel.w; ++eye) {
-        uvec3 cycles = affinePhases(eye, uvec2(place)) + grid;
+        uvec3 cycles = affinePhases(eye, uvec2(place)) + sheet;
         for (int channel = 0; channel < 3; ++channel) {
             float share = weight(cycles[channel], channel);
             if (share == 0.0) continue;
@@ -46,5 +64,6 @@ void main() {
             lobes[channel] += min(light, 0.0);
         }
     }
+#endif
     color = vec4(brightest + lobes, 1.0) * vec4(vec3(fade(pixel)), 1.0);
 }

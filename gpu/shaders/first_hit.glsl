@@ -5,7 +5,6 @@
 // Needs mesh_block.glsl, layer_search.glsl.
 layout(binding = 0) uniform sampler2D quads;
 layout(binding = 7) uniform sampler2D tops;
-layout(binding = 8) uniform sampler2D bigTops;
 
 const float kMiss = -1.0;
 const float kLeastReach = 1e-6; // so that texels without depth are behind every ray
@@ -20,20 +19,15 @@ float inFront(Walk walk, float u, float disparity) {
     return walk.way * (u - walk.x) - walk.spread * disparity;
 }
 
-// First block of `size` texels, from `block` on, with something that the ray may meet.
-int skipBlocks(sampler2D layer, int row, Walk walk, int block, int last, int size) {
-    for (int left = textureSize(layer, 0).x; left > 0; --left) {
-        float exit = float((walk.leftwards ? block : block + 1) * size);
-        float top = texelFetch(layer, ivec2(block, row), 0).x;
+// First block, from `block` on, with something that the ray may meet.
+int skipBlocks(int row, Walk walk, int block, int last) {
+    for (int left = textureSize(tops, 0).x; left > 0; --left) {
+        float exit = float((walk.leftwards ? block : block + 1) * kBlock);
+        float top = texelFetch(tops, ivec2(block, row), 0).x;
         if (inFront(walk, exit, top) <= 0.0 || block == last) break;
         block += walk.step;
     }
     return block;
-}
-
-// Into a block that begins farther on.
-int enter(Walk walk, int cell, int block, int size) {
-    return walk.leftwards ? min(cell, block * size + size - 1) : max(cell, block * size);
 }
 
 float walkCells(int row, float down, Walk walk, int cell, int last) {
@@ -72,9 +66,9 @@ float firstHit(int layer, int row, float down, float x, float reach) {
     // surface, nor end it in front of the farthest.
     int cell = clamp(int(floor(x + reach * budget.y)) - walk.step, 0, columns - 1);
     int last = clamp(int(floor(x + reach * budget.x)) + walk.step, 0, columns - 1);
-    int big = skipBlocks(bigTops, row, walk, cell / kBigBlock, last / kBigBlock, kBigBlock);
-    cell = enter(walk, cell, big, kBigBlock);
-    int block = skipBlocks(tops, row, walk, cell / kBlock, last / kBlock, kBlock);
-    float hit = walkCells(row, down, walk, enter(walk, cell, block, kBlock), last);
+    int block = skipBlocks(row, walk, cell / kBlock, last / kBlock);
+    // Into the block, where it begins farther on.
+    cell = leftwards ? min(cell, block * kBlock + kBlock - 1) : max(cell, block * kBlock);
+    float hit = walkCells(row, down, walk, cell, last);
     return hit < 0.0 && layer == 1 ? x + reach * budget.x : hit;
 }

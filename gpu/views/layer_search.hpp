@@ -10,7 +10,7 @@ namespace autostereo::gpu {
 class LayerSearch {
   public:
     /// Texels of a row whose largest disparity is known; as in shaders/layer_search.glsl.
-    static constexpr int kBlock = 4, kBigBlock = 16;
+    static constexpr int kBlock = 4;
 
     /// Throws GlError.
     LayerSearch();
@@ -23,9 +23,9 @@ class LayerSearch {
   private:
     void resize(int columns, int rows);
 
-    gl::Program corners_, blocks_, bigBlocks_;
-    gl::Texture quads_;          ///< RGBA32F: disparity of a texel's corners; scene, background
-    gl::Texture tops_, bigTops_; ///< R32F: the nearest in each block
+    gl::Program corners_, blocks_;
+    gl::Texture quads_; ///< RGBA32F: disparity of a texel's corners; scene, background
+    gl::Texture tops_;  ///< R32F: the nearest in each block
 };
 
 } // namespace autostereo::gpu

@@ -46,6 +46,16 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{{"register_mesh.comp"}, {}}, Variant{{"register_cuts.comp"}, {}},
         Variant{{"register_cuts.comp"}, {"EXTRUDE"}}, Variant{{"mesh_points.comp"}, {"PLACES"}},
         Variant{{"full_screen.vert", "register_metres.frag"}, {}},
+        Variant{{"quad_corners.comp"}, {}}, Variant{{"search_blocks.comp"}, {}},
+        Variant{{"mesh_view.vert", "mesh_views.geom", "mesh_view.frag"}, {"REPEATED", "VIEWS 8"}},
+        Variant{{"mesh_view.vert", "mesh_views.geom", "mesh_view.frag"},
+                {"REPEATED", "LAYERED", "VIEWS 8"}},
+        Variant{{"mesh_view.vert", "mesh_reference.frag"}, {"DISPARITY"}},
+        Variant{{"full_screen.vert", "hybrid_views.frag"}, {}},
+        Variant{{"full_screen.vert", "view_interleaver.frag"}, {"SEARCH", "REMAP", "GRID"}},
+        Variant{{"full_screen.vert", "view_interleaver.frag"}, {"SEARCH", "CONTINUOUS"}},
+        Variant{{"full_screen.vert", "tile_interleaver.frag"}, {"SEARCH"}},
+        Variant{{"full_screen.vert", "band_interleaver.frag"}, {"SEARCH", "WAVEFORM"}},
         Variant{{"mesh_view.vert", "mesh_disparity.frag"}, {"DISPARITY"}}));
 
 std::vector<Variant> interleavers() {

@@ -19,6 +19,8 @@ struct SearchInput {
     Picture color, backgroundColor; ///< levels 0..255
 };
 
+constexpr double kLargest = 0.4; ///< disparity of any display, panel widths
+
 inline bool isSolid(const Quad& quad) { return quad[0] > -1e8; }
 
 /// Where in texels a ray x + reach d first enters the layer's row from the front.
@@ -27,7 +29,11 @@ inline std::optional<double> firstHit(const Grid<Quad>& layer, int row, double d
     const double way = reach >= 0 ? 1 : -1;
     const auto inFront = [&](double u, double d) { return way * (u - x) - std::abs(reach) * d; };
     std::optional<double> nearest;
-    for (int cell = 0; cell < layer.columns; ++cell) {
+    // What lies farther away than the largest disparity cannot be on the ray.
+    const int first = std::max(0, static_cast<int>(x - std::abs(reach) * kLargest) - 1);
+    const int last =
+        std::min(layer.columns - 1, static_cast<int>(x + std::abs(reach) * kLargest) + 1);
+    for (int cell = first; cell <= last; ++cell) {
         const Quad q = layer.at(cell, row);
         if (!isSolid(q)) continue;
         const auto along = [&](int a, int b) {

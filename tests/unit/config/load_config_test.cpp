@@ -229,8 +229,8 @@ constexpr Malformed kMalformed[] = {
     {"[depth]\nfollow = true\n", "x.toml:2:10: depth.follow: is a boolean, wanted a word "
                                  "(allowed live, always, never)"},
     {"[synthesis]\nmethod = 'instanced '\n",
-     "x.toml:2:10: synthesis.method: \"instanced \" is unknown (allowed instanced, "
-     "multipass)"},
+     "x.toml:2:10: synthesis.method: \"instanced \" is unknown (allowed direct, "
+     "instanced, multipass, geometry, mrt, hybrid)"},
     {"[output]\nkind = true\n", "x.toml:2:8: output.kind: is a boolean, wanted a word "
                                 "(allowed auto, window, offscreen)"},
     {"[input]\nuri = 7\n", "x.toml:2:7: input.uri: is an integer, wanted a string"},
