@@ -31,7 +31,7 @@ struct Report {
         double scale = 0;                   ///< relative to the natural one
         std::optional<double> clampedShare; ///< none: not followed, not measured
     };
-    std::optional<Depth> depth; ///< none before the first frame
+    std::optional<Depth> depth;  ///< none before the first frame
     double gpuMemoryMib = 0;     ///< textures and buffers of all stages
     std::int64_t gpuObjects = 0; ///< textures, buffers, programs, queries, ...
     Percentiles latencyMs;       ///< mid-exposure to present; empty at --speed max
