@@ -87,12 +87,16 @@ void addRender(CLI::App& app, RenderOptions& render) {
         ->expected(3);
     command->add_option("--output", render.output, "PNG or TIFF, or a folder for --as views")
         ->required();
-    command->add_flag_callback("--reference", [] { notInThisVersion("--reference"); })->group("");
+    command->add_flag("--reference", render.reference,
+                      "With --as panel: every sub-pixel in double precision, without the GPU's "
+                      "search (seconds to minutes)");
     command->footer("Example: autostereo render --input sim:room --display slanted-8view-1080p "
                     "--as quilt --output room_qs4x2a1.78.png");
 }
 
-void checkEyes(const RenderOptions& render) {
+void checkRender(const RenderOptions& render) {
+    if (render.reference && render.as != Picture::Panel)
+        throw UsageError("--reference: only with --as panel");
     if ((render.eye || render.cameraOffset) && render.as != Picture::View)
         throw UsageError("--eye and --camera-offset go with --as view");
     if (render.eye && render.cameraOffset)
@@ -188,7 +192,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + " (see autostereo --help)");
     }
-    checkEyes(render);
+    checkRender(render);
     const std::map<std::string, CommandLine> options{
         {"run", run},         {"render", render},         {"check", check},
         {"devices", devices}, {"interleave", interleave}, {"viewmap", viewmap},

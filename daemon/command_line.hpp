@@ -57,6 +57,7 @@ struct RenderOptions {
     std::optional<Picture> as;
     std::optional<glm::dvec3> eye;          ///< display space, metres
     std::optional<glm::dvec3> cameraOffset; ///< colour camera's axes, metres
+    bool reference = false;                 ///< the panel in double precision, on the CPU
     std::filesystem::path output;
 };
 

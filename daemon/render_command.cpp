@@ -6,6 +6,7 @@
 #include "devices/replay_feed.hpp"
 #include "gpu/exports.hpp"
 #include "gpu/offscreen_panel.hpp"
+#include "tests/bench/views/reference.hpp"
 
 #include <cstdio>
 
@@ -91,7 +92,10 @@ int render(const RenderOptions& options) {
     case Picture::SideBySide:
     case Picture::Anaglyph:
         writePicturePng(options.output,
-                        gpu::readFramebuffer(panel.framebuffer(), size.width, size.height));
+                        options.reference
+                            ? bench::referencePanel(pipeline, rig, display, size.width, size.height,
+                                                    params.synthesis.positions)
+                            : gpu::readFramebuffer(panel.framebuffer(), size.width, size.height));
         break;
     case Picture::Quilt:
         writePicturePng(options.output, readAtlas(*pipeline.atlas()));

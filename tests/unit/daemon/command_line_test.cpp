@@ -141,7 +141,6 @@ TEST(CommandLine, LaterCommandsAndOptionsSaySo) {
                   std::string(command) + ": not in this version");
     EXPECT_EQ(usageError({"run", "--record", "a.mkv"}), "--record: not in this version");
     EXPECT_EQ(usageError({"run", "--record-raw", "a"}), "--record-raw: not in this version");
-    EXPECT_EQ(renderError({"--reference"}), "--reference: not in this version");
     for (const char* what : {"cameras", "rig", "display"})
         EXPECT_EQ(usageError({"calibrate", what}),
                   std::string("calibrate ") + what + ": not in this version");
@@ -210,7 +209,7 @@ TEST(CommandLine, WhatCannotBeReadIsOneLineAndNamesTheOption) {
 TEST(CommandLine, NoCommandSaysWhichThereAre) {
     EXPECT_EQ(usageError({}),
               "no command given (run, render, interleave, viewmap, look, pattern, import, "
-              "calibrate, check, devices): see autostereo --help");
+              "calibrate, check, devices, bench): see autostereo --help");
 }
 
 TEST(CommandLine, HelpShowsAnExampleForEachCommand) {
@@ -219,7 +218,6 @@ TEST(CommandLine, HelpShowsAnExampleForEachCommand) {
         const std::string help = std::get<Information>(parse({command, "--help"})).text;
         EXPECT_NE(help.find("Example: autostereo " + command + " "), std::string::npos) << help;
         EXPECT_EQ(help.find("--record"), std::string::npos) << "shows what is not there yet";
-        EXPECT_EQ(help.find("--reference"), std::string::npos) << "shows what is not there yet";
     }
     const std::string all = std::get<Information>(parse({"--help"})).text;
     for (const char* command : {"run", "render", "check", "devices"})
