@@ -54,21 +54,28 @@ float walkCells(int row, float down, Walk walk, int cell, int last) {
     return hit;
 }
 
+// A row of the grid, and what a walk along it needs of the uniforms.
+struct Row {
+    int scene, perLayer; // its number; rows from a layer to the next
+    int lastColumn;
+    float down;          // the share of it above the ray
+    float farthest, nearest; // disparity
+};
+
 // Texels from the grid's left edge, or kMiss; of layer 0, the scene, or 1, the background, which
-// nothing misses. `row` is the grid's, `down` the share of it above.
-float firstHit(int layer, int row, float down, float x, float reach) {
-    int columns = int(grid.x);
-    row += layer * int(grid.y);
+// nothing misses.
+float firstHit(Row row, int layer, float x, float reach) {
+    int number = row.scene + layer * row.perLayer;
     bool leftwards = reach >= 0.0;
     Walk walk = Walk(x, max(abs(reach), kLeastReach), leftwards ? 1.0 : -1.0, leftwards,
                      leftwards ? -1 : 1);
     // One texel more than needed at either end: rounding must not begin the walk behind the nearest
     // surface, nor end it in front of the farthest.
-    int cell = clamp(int(floor(x + reach * budget.y)) - walk.step, 0, columns - 1);
-    int last = clamp(int(floor(x + reach * budget.x)) + walk.step, 0, columns - 1);
-    int block = skipBlocks(row, walk, cell / kBlock, last / kBlock);
+    int cell = clamp(int(floor(x + reach * row.nearest)) - walk.step, 0, row.lastColumn);
+    int last = clamp(int(floor(x + reach * row.farthest)) + walk.step, 0, row.lastColumn);
+    int block = skipBlocks(number, walk, cell / kBlock, last / kBlock);
     // Into the block, where it begins farther on.
     cell = leftwards ? min(cell, block * kBlock + kBlock - 1) : max(cell, block * kBlock);
-    float hit = walkCells(row, down, walk, cell, last);
-    return hit < 0.0 && layer == 1 ? x + reach * budget.x : hit;
+    float hit = walkCells(number, row.down, walk, cell, last);
+    return hit < 0.0 && layer == 1 ? x + reach * row.farthest : hit;
 }

@@ -6,35 +6,60 @@
 #include "layer_search.glsl"
 #include "first_hit.glsl"
 
-layout(binding = 11) uniform sampler2D colors[2]; // the scene's picture, the background's
+layout(binding = 11) uniform sampler2D colors[2];     // the scene's picture, the background's
 layout(binding = 10) uniform sampler2D viewPositions; // b of each view, left to right
 
-// Panel coordinates and the grid's row below them; `down` is the share of that row above.
+// A place of the panel with all that its three channels share: reading uniforms within loops is dear
+// where the GPU is a CPU.
 struct Place {
-    vec2 uv;
-    int row;
-    float down;
+    Row row;
+    float texel;         // of the grid, from its left edge
+    float texelsPerWidth, texelsPerChannel;
+    vec2 ray, rayPerTexel; // at the grid's left edge
+    vec4 pinhole, radial, rational; // the colour camera, pinhole to texture coordinates
+    float radius;        // metric, squared
+    vec2 background;     // texture coordinates: per texel across; down
 };
 
 Place placeAt(vec2 uv) {
-    float y = clamp((1.0 + grid.w - uv.y) / (1.0 + 2.0 * grid.w) * grid.y, 0.0, grid.y - 1e-3);
-    return Place(uv, int(y), fract(y));
+    vec2 spread = 1.0 + 2.0 * grid.zw;
+    float texels = grid.x / spread.x;
+    float y = clamp((1.0 + grid.w - uv.y) / spread.y * grid.y, 0.0, grid.y - 1e-3);
+    vec2 left = rayFromPanel(vec2(-grid.z, uv.y)), right = rayFromPanel(vec2(1.0 + grid.z, uv.y));
+    Place place;
+    place.row = Row(int(y), int(grid.y), int(grid.x) - 1, fract(y), budget.x, budget.y);
+    place.texel = (uv.x + grid.z) * texels;
+    place.texelsPerWidth = texels;
+    place.texelsPerChannel = fine.z * texels;
+    place.ray = left;
+    place.rayPerTexel = (right - left) / grid.x;
+    place.pinhole = vec4(colorPinhole.xy, colorPinhole.zw + 0.5) / colorSize.xyxy;
+    place.radial = colorRadial;
+    place.rational = colorRational;
+    place.radius = colorSize.z;
+    place.background = vec2(1.0, y) / grid.xy;
+    return place;
 }
 
 Place placeOf(ivec2 pixel) { return placeAt((vec2(pixel) + 0.5) * fine.xy); }
 
+// Where a layer's picture shows what is `hit` texels from the grid's left edge.
+vec2 sourceOf(Place place, int layer, float hit) {
+    vec2 ray = place.ray + hit * place.rayPerTexel;
+    vec2 source = distortRay(ray, place.radial, place.rational) * place.pinhole.xy + place.pinhole.zw;
+    if (dot(ray, ray) > place.radius) source = kNoSource;
+    return layer == 0 ? source : vec2(hit * place.background.x, place.background.y);
+}
+
 // One channel as an eye at position b sees it.
 float sampleEye(float b, Place place, int channel) {
-    float texelsPerWidth = grid.x / (1.0 + 2.0 * grid.z);
-    float x = (place.uv.x + float(channel - 1) * fine.z + grid.z) * texelsPerWidth;
-    float reach = b * texelsPerWidth;
+    float x = place.texel + float(channel - 1) * place.texelsPerChannel;
+    float reach = b * place.texelsPerWidth;
     float value = 0.0;
     for (int layer = 0; layer < 2; ++layer) {
-        float hit = firstHit(layer, place.row, place.down, x, reach);
+        float hit = firstHit(place.row, layer, x, reach);
         if (hit < 0.0 && layer == 0) continue;
-        vec2 source = sourceFromPanel(vec2(hit / texelsPerWidth - grid.z, place.uv.y));
-        if (layer == 1) source = vec2(hit, float(place.row) + place.down) / grid.xy;
-        value = textureLod(colors[layer], source, 0.0)[channel];
+        value = textureLod(colors[layer], sourceOf(place, layer, hit), 0.0)[channel];
         break;
     }
     return value;

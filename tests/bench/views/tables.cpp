@@ -93,6 +93,35 @@ void drawFrame(std::ostream& svg, const Axes& axes, const Row& about) {
         << "\">dB</text>\n";
 }
 
+/// Names beside their points, one below the other where they would overlap.
+class Labels {
+  public:
+    void draw(std::ostream& svg, double x, double y, const std::string& name) {
+        constexpr double kLetter = 6.5, kLine = 14;
+        const double right = x + 8 + kLetter * static_cast<double>(name.size());
+        double top = y;
+        for (bool moved = true; moved;) {
+            moved = false;
+            for (const Box& other : boxes_)
+                if (x < other.right && right > other.left && std::abs(top - other.y) < kLine) {
+                    top = other.y + kLine;
+                    moved = true;
+                }
+        }
+        boxes_.push_back({x, right, top});
+        if (top != y)
+            svg << "<line x1=\"" << x << "\" y1=\"" << y << "\" x2=\"" << x + 7 << "\" y2=\""
+                << top << "\" stroke=\"#999\"/>";
+        svg << "<text x=\"" << x + 8 << "\" y=\"" << top + 4 << "\">" << name << "</text>\n";
+    }
+
+  private:
+    struct Box {
+        double left, right, y;
+    };
+    std::vector<Box> boxes_;
+};
+
 } // namespace
 
 std::string plot(const std::vector<Row>& rows) {
@@ -105,12 +134,13 @@ std::string plot(const std::vector<Row>& rows) {
     svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << kWidth << "\" height=\""
         << kHeight << "\" font-family=\"sans-serif\" font-size=\"12\">\n";
     drawFrame(svg, axes, rows.front());
+    Labels labels;
     for (const Row& row : rows) {
         const bool direct = row.method.starts_with("direct");
-        svg << "<circle cx=\"" << axes.x(row.cpuMs) << "\" cy=\"" << Axes::y(row.psnrDb)
-            << "\" r=\"5\" fill=\"" << (direct ? "#c22" : "#269") << "\"/><text x=\""
-            << axes.x(row.cpuMs) + 8 << "\" y=\"" << Axes::y(row.psnrDb) + 4 << "\">" << row.method
-            << "</text>\n";
+        const double x = axes.x(row.cpuMs), y = Axes::y(row.psnrDb);
+        svg << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"5\" fill=\""
+            << (direct ? "#c22" : "#269") << "\"/>";
+        labels.draw(svg, x, y, row.method);
     }
     svg << "</svg>\n";
     return svg.str();
