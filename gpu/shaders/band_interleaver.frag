@@ -30,12 +30,22 @@ float weight(uint phase, int channel) {
 #endif
 }
 
-// The first eye from `eye` on that a sub-pixel is lit for; their number where there is none.
-int nextLit(int eye, ivec2 place, uint sheet, int channel) {
-    for (; eye < panel.w; ++eye)
-        if (weight(affinePhases(eye, uvec2(place))[channel] + sheet, channel) != 0.0) break;
-    return eye;
+#ifdef SEARCH
+// Of each channel, the first eye after `before` that it is lit for, and how brightly; the number of
+// eyes where there is none.
+ivec3 litAfter(ivec3 before, ivec2 place, uint sheet, out vec3 share) {
+    ivec3 lit = ivec3(panel.w);
+    share = vec3(0.0);
+    for (int eye = panel.w - 1; eye >= 0; --eye) {
+        uvec3 cycles = affinePhases(eye, uvec2(place)) + sheet;
+        vec3 bright = vec3(weight(cycles.x, 0), weight(cycles.y, 1), weight(cycles.z, 2));
+        bvec3 next = bvec3(uvec3(notEqual(bright, vec3(0.0))) * uvec3(greaterThan(ivec3(eye), before)));
+        lit = mix(lit, ivec3(eye), next);
+        share = mix(share, bright, next);
+    }
+    return lit;
 }
+#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy); // y up
@@ -44,15 +54,17 @@ void main() {
     vec3 brightest = vec3(0.0), lobes = vec3(0.0);
     uint sheet = gridPhase(place); // whoever looks
 #ifdef SEARCH
-    // A search is dear: each pass looks for the next eye that is lit, mostly the only one.
-    for (int channel = 0; channel < 3; ++channel)
-        for (int eye = nextLit(0, place, sheet, channel); eye < panel.w;
-             eye = nextLit(eye + 1, place, sheet, channel)) {
-            float share = weight(affinePhases(eye, uvec2(place))[channel] + sheet, channel);
-            float light = share * samplePlace(eye, shown, channel);
+    // A search is dear: each turn shows one eye per channel, mostly the only one.
+    vec3 share;
+    ivec3 eyes = litAfter(ivec3(-1), place, sheet, share);
+    while (any(lessThan(eyes, ivec3(panel.w)))) {
+        for (int channel = 0; channel < 3; ++channel) {
+            float light = share[channel] * samplePlace(min(eyes[channel], panel.w - 1), shown, channel);
             brightest[channel] = max(brightest[channel], light);
             lobes[channel] += min(light, 0.0);
         }
+        eyes = litAfter(eyes, place, sheet, share);
+    }
 #else
     for (int eye = 0; eye < panel.w; ++eye) {
         uvec3 cycles = affinePhases(eye, uvec2(place)) + sheet;

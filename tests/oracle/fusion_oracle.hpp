@@ -203,6 +203,7 @@ using Weighted = std::array<double, 4>;
 /// Values everywhere from weighted seeds, by a pyramid of binomial means; on so many levels a fifth
 /// of the weight is as good as all. `mean`: of the coarsest level.
 inline Grid<Weighted> pullPush(Grid<Weighted> fine, int sharpLevels, Weighted& mean) {
+    const Grid<Weighted>& seeds = fine; // nothing lies outside it
     if (fine.columns > 1 || fine.rows > 1) {
         constexpr std::array<double, 4> kWeights{0.125, 0.375, 0.375, 0.125};
         const auto coarse = pullPush(
@@ -214,7 +215,7 @@ inline Grid<Weighted> pullPush(Grid<Weighted> fine, int sharpLevels, Weighted& m
                                            for (std::size_t k = 0; k < 4; ++k)
                                                sum[k] += kWeights[static_cast<std::size_t>(i)] *
                                                          kWeights[static_cast<std::size_t>(j)] *
-                                                         fine.at(2 * x + i - 1, 2 * y + j - 1)[k];
+                                                         seeds.at(2 * x + i - 1, 2 * y + j - 1)[k];
                                    const double gain =
                                        sharpLevels > 0 && sum[3] > 0 ? std::fmin(1 / sum[3], 5) : 1;
                                    for (double& part : sum)
