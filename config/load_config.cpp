@@ -67,7 +67,8 @@ void readCondition(TomlReader& root, gpu::ConditionParams& params) {
 void readSynthesis(TomlReader& root, gpu::SynthesisParams& params) {
     auto table = root.table("synthesis");
     params.method = table.choice<gpu::Method>("method",
-                                              {{"direct", gpu::Method::Direct},
+                                              {{"auto", gpu::Method::Auto},
+                                               {"direct", gpu::Method::Direct},
                                                {"instanced", gpu::Method::Instanced},
                                                {"multipass", gpu::Method::Multipass},
                                                {"geometry", gpu::Method::Geometry},
@@ -81,6 +82,7 @@ void readSynthesis(TomlReader& root, gpu::SynthesisParams& params) {
     params.filter = table.choice<gpu::TileFilter>(
         "filter", {{"nearest", gpu::TileFilter::Nearest}, {"linear", gpu::TileFilter::Linear}},
         params.filter);
+    params.leastDb = table.number("max_error_db", {0, 55}, params.leastDb);
     params.tileScale = table.number("tile_scale", {0.05, 4}, params.tileScale);
     params.viewsPerPass = table.integer("views_per_pass", {0, 64}, params.viewsPerPass);
     params.references = table.integer("references", {2, 5}, params.references);

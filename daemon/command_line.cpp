@@ -9,9 +9,10 @@ const std::map<std::string, config::Output> kOutputs{{"window", config::Output::
 const std::map<std::string, config::Speed> kSpeeds{{"realtime", config::Speed::Realtime},
                                                    {"max", config::Speed::Max}};
 const std::map<std::string, gpu::Method> kMethods{
-    {"direct", gpu::Method::Direct},       {"instanced", gpu::Method::Instanced},
-    {"multipass", gpu::Method::Multipass}, {"geometry", gpu::Method::Geometry},
-    {"mrt", gpu::Method::Layered},         {"hybrid", gpu::Method::Hybrid}};
+    {"auto", gpu::Method::Auto},           {"direct", gpu::Method::Direct},
+    {"instanced", gpu::Method::Instanced}, {"multipass", gpu::Method::Multipass},
+    {"geometry", gpu::Method::Geometry},   {"mrt", gpu::Method::Layered},
+    {"hybrid", gpu::Method::Hybrid}};
 const std::map<std::string, Picture> kPictures{{"panel", Picture::Panel},
                                                {"quilt", Picture::Quilt},
                                                {"views", Picture::Views},
@@ -24,7 +25,6 @@ const std::map<std::string, Picture> kPictures{{"panel", Picture::Panel},
 
 // Known words of the command line whose work is not in this version yet.
 constexpr std::array kLaterCommands{"record", "status", "snapshot", "reload", "set", "show"};
-constexpr std::array kLaterMethods{"auto"};
 
 void addScene(CLI::App& command, SceneOptions& scene) {
     command.add_option("--input", scene.input, "Input URI, e.g. sim:person or recording.mkv");
@@ -66,8 +66,8 @@ void addRender(CLI::App& app, RenderOptions& render) {
     command->add_option("--frame", render.frame, "Which pair of frames, from 0")
         ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 53));
     command->add_option_function<std::string>(
-        "--method", oneOf(render.method, kMethods, "--method", kLaterMethods),
-        "direct, instanced, multipass, geometry, mrt or hybrid");
+        "--method", oneOf(render.method, kMethods, "--method"),
+        "auto, direct, instanced, multipass, geometry, mrt or hybrid");
     command
         ->add_option_function<std::string>(
             "--as", oneOf(render.as, kPictures, "--as"),

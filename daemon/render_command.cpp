@@ -67,8 +67,8 @@ int render(const RenderOptions& options) {
     const Picture as = options.as.value_or(Picture::Panel);
     const bool wantsTiles = as == Picture::Quilt || as == Picture::Views;
     gpu::Method& method = config.pipeline.synthesis.method;
-    if (wantsTiles && method == gpu::Method::Direct) {
-        if (options.method)
+    if (wantsTiles && (method == gpu::Method::Direct || method == gpu::Method::Auto)) {
+        if (options.method == gpu::Method::Direct)
             throw UsageError(
                 "render: --method direct draws no views: for --as quilt and --as "
                 "views name another one (allowed: instanced, multipass, geometry, mrt, hybrid)");

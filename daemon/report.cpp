@@ -48,6 +48,7 @@ Json toJson(const Report& report) {
         {"input", report.input},
         {"display", report.display},
         {"renderer", report.renderer},
+        {"method", report.method},
         {"streams",
          {{"depth", streamJson(report.feed.depth)}, {"color", streamJson(report.feed.color)}}},
         {"frames_in", report.feed.pairs},

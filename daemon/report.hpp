@@ -25,6 +25,7 @@ struct Report {
     std::vector<Percentiles> stageMs;
     /// What became of depth pixels -> pixels per frame.
     std::vector<std::pair<std::string, double>> conditioner;
+    std::string method; ///< that shows it, as in configurations
     /// Where the scene was put last, and how much of the panel that clamps.
     struct Depth {
         double focusM = 0;

@@ -1,5 +1,7 @@
 #include "daemon/commands.hpp"
+#include "daemon/find_display.hpp"
 #include "daemon/log.hpp"
+#include "daemon/method_memory.hpp"
 #include "daemon/picture_files.hpp"
 #include "daemon/report.hpp"
 #include "daemon/stop_signal.hpp"
@@ -51,8 +53,10 @@ class Session {
                                                     : ChosenDisplay{chooseDisplay(config), ""}),
           display_(chosen_.profile), input_(openScene(config)), rig_(*input_.rig),
           panel_(openPanel(display_, output_, options.force, chosen_.connector)),
-          pipeline_(pipelineParams(config, true), rig_, display_, panel_->width(),
-                    panel_->height()) {
+          params_(pipelineParams(config, true)),
+          methods_(DisplayPlaces::ofSystem().state, params_, display_, panel_->width(),
+                   panel_->height(), rig_),
+          pipeline_(methods_.apply(params_), rig_, display_, panel_->width(), panel_->height()) {
         report_.input = config.input;
         report_.display = display_.name;
         report_.renderer = gpu::rendererName();
@@ -93,6 +97,7 @@ class Session {
         report_.gpuMemoryMib = static_cast<double>(gpu.bytes) / (1024 * 1024);
         report_.gpuObjects = gpu.objects;
         if (report_.presented > 0) report_.depth = placement();
+        report_.method = methodName(pipeline_.method());
         report_.seconds = std::chrono::duration<double>(clock_.now() - started_).count();
         return report_;
     }
@@ -119,6 +124,13 @@ class Session {
         return depth;
     }
 
+    void keepChoice(const gpu::MethodChoice& choice) const {
+        for (const gpu::MethodTrial& trial : choice.trials)
+            spdlog::info("method {}: {:.1f} ms, {:.1f} dB", methodName(trial.method),
+                         trial.milliseconds, trial.psnrDb);
+        if (const auto problem = methods_.keep(choice)) spdlog::warn("method: {}", *problem);
+    }
+
     void show(devices::RgbdFrame frame) {
         if (!shown_.depth.empty() && sameBytes(frame.depth, shown_.depth) &&
             sameBytes(frame.color, shown_.color) && pipeline_.isStill()) {
@@ -127,6 +139,7 @@ class Session {
         }
         pipeline_.render(frame, panel_->framebuffer());
         panel_->present();
+        if (report_.presented == 0 && pipeline_.choice()) keepChoice(*pipeline_.choice());
         ++report_.presented;
         if (measuresNothing(frame.depth)) ++report_.withoutDepth;
         if (realtime_)
@@ -143,6 +156,8 @@ class Session {
     devices::Input input_;
     calib::SensorRig rig_;
     std::unique_ptr<gpu::Panel> panel_;
+    gpu::PipelineParams params_;
+    MethodMemory methods_;
     gpu::Pipeline pipeline_;
     devices::SteadyClock clock_;
     std::unique_ptr<devices::Feed> feed_;

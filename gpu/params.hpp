@@ -13,7 +13,8 @@
 namespace autostereo::gpu {
 
 /// How the views come to the panel: searched for by each of its sub-pixels, or drawn into tiles.
-enum class Method { Direct, Instanced, Multipass, Geometry, Layered, Hybrid };
+/// Auto: whichever is fastest here (views/method_choice.hpp).
+enum class Method { Auto, Direct, Instanced, Multipass, Geometry, Layered, Hybrid };
 /// How a sub-pixel reads its tile.
 enum class TileFilter { Nearest, Linear };
 /// Eyes that the direct method shows: those of the display's views, or one for every phase.
@@ -109,6 +110,7 @@ struct SynthesisParams {
     TileFilter filter = TileFilter::Linear;
     ViewFilter views = ViewFilter::Nearest;
     ViewPositions positions = ViewPositions::Continuous;
+    double leastDb = 40;  ///< auto: PSNR against the exact panel, at least
     double tileScale = 1; ///< of the display's tiles, each way (Kooima 2007's quality, squared)
     int viewsPerPass = 0; ///< geometry, layered: 0: as many as the driver allows
     int references = 3;   ///< hybrid: 2 to 5

@@ -6,10 +6,10 @@ namespace autostereo::gpu {
 
 Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
                    const calib::DisplayProfile& display, int panelWidth, int panelHeight)
-    : params_(params), rig_(rig), display_(display),
-      panelAspect_(static_cast<double>(panelWidth) / panelHeight),
-      conditioner_(params.condition, params.mesh, rig.depth), mesh_(params.mesh, rig),
-      fusion_(params, rig), views_(makeViewSynthesis(params, display, panelWidth, panelHeight)) {
+    : params_(params), rig_(rig), display_(display), panelWidth_(panelWidth),
+      panelHeight_(panelHeight), conditioner_(params.condition, params.mesh, rig.depth),
+      mesh_(params.mesh, rig), fusion_(params, rig) {
+    if (params.synthesis.method != Method::Auto) makeViews();
     if (params.budget.follow) budget_.emplace(params.budget, display);
 }
 
@@ -28,7 +28,16 @@ void Pipeline::prepare(const devices::RgbdFrame& frame) {
     timed(1, [&] { conditioner_.condition(uploader_.depth(), uploader_.amplitude(), unitM); });
     timed(2, [&] { buildMesh(frame.depth.metadata()); });
     timed(3, [&] { fusion_.fuse(mesh_.layer(), uploader_.color(), geometry_); });
+    if (!views_) {
+        choice_ = chooseMethod(params_, display_, panelWidth_, panelHeight_, scene());
+        params_.synthesis.method = choice_->method;
+        makeViews();
+    }
     timed(4, [&] { views_->prepare(scene()); });
+}
+
+void Pipeline::makeViews() {
+    views_ = makeViewSynthesis(params_, display_, panelWidth_, panelHeight_);
 }
 
 void Pipeline::buildMesh(const devices::FrameMetadata& depth) {
@@ -54,7 +63,8 @@ void Pipeline::placeScene(const devices::Frame& depth) {
     const double chosen = std::clamp(measured.value_or(kFocusWithoutDepthM),
                                      budget.limits.nearestFocusM, budget.limits.farthestFocusM);
     geometry_ =
-        sceneGeometry(rig_, display_, params_, panelAspect_, budget.focusM.value_or(chosen));
+        sceneGeometry(rig_, display_, params_, static_cast<double>(panelWidth_) / panelHeight_,
+                      budget.focusM.value_or(chosen));
 }
 
 } // namespace autostereo::gpu

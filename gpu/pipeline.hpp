@@ -8,7 +8,7 @@
 #include "gpu/frame_uploader.hpp"
 #include "gpu/fusion/fusion.hpp"
 #include "gpu/gl/timer.hpp"
-#include "gpu/views/view_synthesis.hpp"
+#include "gpu/views/method_choice.hpp"
 
 #include <array>
 #include <functional>
@@ -38,7 +38,11 @@ class Pipeline {
     void onStageTime(StageTime receiver) { stageTime_ = std::move(receiver); }
 
     /// None where the method draws no views.
-    [[nodiscard]] const Atlas* atlas() const { return views_->atlas(); }
+    [[nodiscard]] const Atlas* atlas() const { return views_ ? views_->atlas() : nullptr; }
+    /// The method in use; Auto before the first frame.
+    [[nodiscard]] Method method() const { return params_.synthesis.method; }
+    /// What Method::Auto chose when it saw the first frame; none with another method.
+    [[nodiscard]] const std::optional<MethodChoice>& choice() const { return choice_; }
     [[nodiscard]] const DepthConditioner& conditioner() const { return conditioner_; }
     [[nodiscard]] const DepthMesh& mesh() const { return mesh_; }
     [[nodiscard]] const Fusion& fusion() const { return fusion_; }
@@ -54,6 +58,7 @@ class Pipeline {
 
   private:
     void placeScene(const devices::Frame& depth);
+    void makeViews();
     void buildMesh(const devices::FrameMetadata& depth);
     template<class Pass>
     void timed(std::size_t stage, Pass pass);
@@ -61,7 +66,7 @@ class Pipeline {
     PipelineParams params_;
     calib::SensorRig rig_;
     calib::DisplayProfile display_;
-    double panelAspect_;
+    int panelWidth_, panelHeight_;
     bool placed_ = false;
     SceneGeometry geometry_;
     std::optional<DepthBudget> budget_;
@@ -70,7 +75,8 @@ class Pipeline {
     DepthConditioner conditioner_;
     DepthMesh mesh_;
     Fusion fusion_;
-    std::unique_ptr<ViewSynthesis> views_;
+    std::unique_ptr<ViewSynthesis> views_; ///< none until a method is chosen
+    std::optional<MethodChoice> choice_;
     std::array<gl::Timer, kStages.size()> timers_;
     StageTime stageTime_;
 };

@@ -229,7 +229,7 @@ constexpr Malformed kMalformed[] = {
     {"[depth]\nfollow = true\n", "x.toml:2:10: depth.follow: is a boolean, wanted a word "
                                  "(allowed live, always, never)"},
     {"[synthesis]\nmethod = 'instanced '\n",
-     "x.toml:2:10: synthesis.method: \"instanced \" is unknown (allowed direct, "
+     "x.toml:2:10: synthesis.method: \"instanced \" is unknown (allowed auto, direct, "
      "instanced, multipass, geometry, mrt, hybrid)"},
     {"[output]\nkind = true\n", "x.toml:2:8: output.kind: is a boolean, wanted a word "
                                 "(allowed auto, window, offscreen)"},

@@ -144,9 +144,6 @@ TEST(CommandLine, LaterCommandsAndOptionsSaySo) {
     for (const char* what : {"cameras", "rig", "display"})
         EXPECT_EQ(usageError({"calibrate", what}),
                   std::string("calibrate ") + what + ": not in this version");
-    for (const char* method : {"auto"})
-        EXPECT_EQ(renderError({"--method", method}),
-                  std::string("--method ") + method + ": not in this version");
 }
 
 TEST(CommandLine, UnknownWordsAreNamedWithWhatIsAllowed) {
