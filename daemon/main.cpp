@@ -15,6 +15,8 @@ template<class... Handlers>
 struct Overloaded : Handlers... {
     using Handlers::operator()...;
 };
+template<class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 int perform(const daemon::CommandLine& command) {
     return std::visit(

@@ -58,15 +58,9 @@ calib::DisplayProfile displayAs(Picture as, const calib::DisplayProfile& display
     return display;
 }
 
-} // namespace
-
-int render(const RenderOptions& options) {
-    config::Config config = configuration(options.scene);
-    setUpLog(config.log.level);
-    if (options.method) config.pipeline.synthesis.method = *options.method;
-    const Picture as = options.as.value_or(Picture::Panel);
+/// Quilts and views need a method that draws views.
+void chooseTiles(const RenderOptions& options, Picture as, gpu::Method& method) {
     const bool wantsTiles = as == Picture::Quilt || as == Picture::Views;
-    gpu::Method& method = config.pipeline.synthesis.method;
     if (wantsTiles && (method == gpu::Method::Direct || method == gpu::Method::Auto)) {
         if (options.method == gpu::Method::Direct)
             throw UsageError(
@@ -74,6 +68,16 @@ int render(const RenderOptions& options) {
                 "views name another one (allowed: instanced, multipass, geometry, mrt, hybrid)");
         method = gpu::Method::Instanced;
     }
+}
+
+} // namespace
+
+int render(const RenderOptions& options) {
+    config::Config config = configuration(options.scene);
+    setUpLog(config.log.level);
+    if (options.method) config.pipeline.synthesis.method = *options.method;
+    const Picture as = options.as.value_or(Picture::Panel);
+    chooseTiles(options, as, config.pipeline.synthesis.method);
     const calib::DisplayProfile display = displayAs(as, chooseDisplay(config));
     devices::Input input = openScene(config);
     const calib::SensorRig rig = *input.rig;

@@ -30,7 +30,10 @@ int contrastToNext(const gpu::RgbImage& tile, int column, int inwards) {
     for (int y = 0; y < tile.height; ++y)
         for (int c = 0; c < 3; ++c) {
             const auto level = [&](int x) {
-                const auto at = static_cast<std::size_t>(3 * (y * tile.width + x) + c);
+                const auto at =
+                    3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.width) +
+                         static_cast<std::size_t>(x)) +
+                    static_cast<std::size_t>(c);
                 return static_cast<int>(tile.pixels[at]);
             };
             most = std::max(most, std::abs(level(column) - level(column + inwards)));

@@ -16,16 +16,16 @@ class AutoMethod : public testing::Test {
   protected:
     /// What it said; the report's method goes to `method`.
     std::string start(const char* leastDb, std::string& method) {
-        const std::string config = folder_.file(
+        const std::string config = folder.file(
             "auto.toml",
             std::string("[synthesis]\nmethod = \"auto\"\nmax_error_db = ") + leastDb + "\n");
         ProgramCall call = calling({"run", "--config", config, "--input", kSmallRoom, "--display",
-                                    display_, "--output", "offscreen", "--speed", "max", "--frames",
-                                    "2", "--report", folder_ / "report.json"});
-        call.environment.emplace_back("STATE_DIRECTORY=" + (folder_ / "state"));
+                                    display, "--output", "offscreen", "--speed", "max", "--frames",
+                                    "2", "--report", folder / "report.json"});
+        call.environment.emplace_back("STATE_DIRECTORY=" + (folder / "state"));
         const ProgramResult result = runProgram(call);
         EXPECT_TRUE(succeeded(result));
-        std::ifstream report(folder_ / "report.json");
+        std::ifstream report(folder / "report.json");
         method = nlohmann::json::parse(report).at("method").get<std::string>();
         return result.err;
     }
@@ -33,8 +33,8 @@ class AutoMethod : public testing::Test {
         return said.find("method multipass:") != std::string::npos;
     }
 
-    TempFolder folder_;
-    std::string display_ = smallDisplay(folder_);
+    TempFolder folder;
+    std::string display = smallDisplay(folder);
 };
 
 TEST_F(AutoMethod, TriesOnceAndKeepsWhatItChose) {
@@ -50,7 +50,7 @@ TEST_F(AutoMethod, ABrokenFileIsTriedAgain) {
     std::string method;
     static_cast<void>(start("50", method));
     for (const auto& file :
-         std::filesystem::directory_iterator(std::filesystem::path(folder_ / "state") / "methods"))
+         std::filesystem::directory_iterator(std::filesystem::path(folder / "state") / "methods"))
         std::ofstream(file.path()) << "{\"method\": 7";
     EXPECT_TRUE(tried(start("50", method)));
     EXPECT_EQ(method, "direct");

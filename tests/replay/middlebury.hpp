@@ -21,10 +21,8 @@ struct StereoPair {
     double leastGainDb = -1, leastRowDb = -1; ///< over what libraries do; -1: stated only
 };
 
-inline void PrintTo(const StereoPair& pair,
-                    std::ostream* out) { // NOLINT(readability-identifier-naming)
-    *out << pair.name;
-}
+// NOLINTNEXTLINE(readability-identifier-naming)
+inline void PrintTo(const StereoPair& pair, std::ostream* out) { *out << pair.name; }
 
 /// Rows of one number a pixel.
 using Plane = std::vector<std::vector<double>>;
