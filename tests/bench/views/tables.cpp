@@ -110,8 +110,8 @@ class Labels {
         }
         boxes_.push_back({x, right, top});
         if (top != y)
-            svg << "<line x1=\"" << x << "\" y1=\"" << y << "\" x2=\"" << x + 7 << "\" y2=\""
-                << top << "\" stroke=\"#999\"/>";
+            svg << "<line x1=\"" << x << "\" y1=\"" << y << "\" x2=\"" << x + 7 << "\" y2=\"" << top
+                << "\" stroke=\"#999\"/>";
         svg << "<text x=\"" << x + 8 << "\" y=\"" << top + 4 << "\">" << name << "</text>\n";
     }
 

@@ -154,8 +154,9 @@ TEST(CommandLine, UnknownWordsAreNamedWithWhatIsAllowed) {
     EXPECT_EQ(usageError({"render", "--as", "photo", "--output", "o"}),
               "--as: photo is not known (allowed 2d-plus-depth, anaglyph, depth, disparity, panel, "
               "quilt, sbs, view, views)");
-    EXPECT_EQ(renderError({"--method", "magic"}), "--method: magic is not known (allowed direct, "
-                                                  "geometry, hybrid, instanced, mrt, multipass)");
+    EXPECT_EQ(renderError({"--method", "magic"}),
+              "--method: magic is not known (allowed auto, direct, "
+              "geometry, hybrid, instanced, mrt, multipass)");
 }
 
 TEST(CommandLine, BadPlacesAreNamed) {
