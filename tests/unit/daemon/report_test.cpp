@@ -30,6 +30,7 @@ Report exampleReport() {
     for (int i = 0; i <= 100; ++i)
         report.stageMs[0].add(i);
     report.conditioner = {{"held", 90000.5}, {"flying", 300}};
+    report.method = "direct";
     report.gpuMemoryMib = 20.5;
     report.gpuObjects = 120;
     report.depth = {1.25, 0.5, 0.125};
@@ -69,6 +70,7 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
         "input": "sim:person",
         "display": "looking-glass-portrait",
         "renderer": "llvmpipe \"quoted\"",
+        "method": "direct",
         "streams": {
             "depth": {"in": 110, "paired": 100, "unpaired": 10, "pending": 1, "damaged": 2,
                       "reconnects": 3},
