@@ -1,20 +1,12 @@
 #include "daemon/commands.hpp"
+#include "devices/replay/whole_file.hpp"
 #include "tests/bench/views/row.hpp"
 
-#include <fstream>
 #include <iostream>
 
 namespace autostereo::daemon {
 
 namespace {
-
-void write(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    if (!out.flush())
-        throw std::runtime_error("bench: cannot write " + file.string() +
-                                 ": does its folder exist, is there room?");
-}
 
 bool isSameScene(const bench::Row& a, const bench::Row& b) {
     return a.scene == b.scene && a.display == b.display && a.grid == b.grid && a.views == b.views;
@@ -28,7 +20,8 @@ void writePlots(const std::filesystem::path& folder, const std::vector<bench::Ro
         auto last = first;
         while (last != rows.end() && isSameScene(*first, *last))
             ++last;
-        write(folder / (std::to_string(++number) + ".svg"), bench::plot({first, last}));
+        devices::writeWhole(folder / (std::to_string(++number) + ".svg"),
+                            bench::plot({first, last}), "bench: ");
         first = last;
     }
 }
@@ -39,7 +32,7 @@ int benchmark(const BenchOptions& options) {
     const auto rows = bench::run(
         options.suite, [](const std::string& what) { std::cerr << "bench: " << what << '\n'; });
     std::cout << bench::markdown(rows);
-    if (options.json) write(*options.json, bench::json(rows));
+    if (options.json) devices::writeWhole(*options.json, bench::json(rows), "bench: ");
     if (options.plot) writePlots(*options.plot, rows);
     return EXIT_SUCCESS;
 }

@@ -12,25 +12,21 @@ namespace {
 constexpr GLenum kTileEdges = 4;
 constexpr int kComponents = 4 + 4 + 2; // position, clip distances, texture coordinate
 
-int allowed(int wanted, int views) {
-    const int most = GeometryViews::mostViewsPerPass(kComponents);
-    return std::min(views, wanted > 0 ? std::min(wanted, most) : most);
-}
-
 } // namespace
 
-int GeometryViews::mostViewsPerPass(int componentsPerVertex) {
+int GeometryViews::allowed(int wanted, int views, int componentsPerVertex) {
     GLint vertices = 0, components = 0;
     glGetIntegerv(GL_MAX_GEOMETRY_OUTPUT_VERTICES, &vertices);
     glGetIntegerv(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, &components);
-    return std::max(1, std::min(vertices, components / componentsPerVertex) / 3);
+    const int most = std::max(1, std::min(vertices, components / componentsPerVertex) / 3);
+    return std::min(views, wanted > 0 ? std::min(wanted, most) : most);
 }
 
 GeometryViews::GeometryViews(const calib::DisplayProfile& display, const PipelineParams& params,
                              int viewsPerPass)
-    : params_(params), viewsPerPass_(allowed(viewsPerPass, display.views)), drawer_(params.mesh),
-      program_({"mesh_view.vert", "mesh_views.geom", "mesh_view.frag"},
-               {"REPEATED", "VIEWS " + std::to_string(viewsPerPass_)}),
+    : params_(params), viewsPerPass_(allowed(viewsPerPass, display.views, kComponents)),
+      drawer_(params.mesh), program_({"mesh_view.vert", "mesh_views.geom", "mesh_view.frag"},
+                                     {"REPEATED", "VIEWS " + std::to_string(viewsPerPass_)}),
       positions_(makeViewPositions(display)) {}
 
 void GeometryViews::render(const MeshLayers& layers, const gl::Texture& color, const Atlas& atlas) {

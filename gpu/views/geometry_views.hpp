@@ -18,8 +18,9 @@ class GeometryViews final : public AtlasViews {
                   int viewsPerPass);
     void render(const MeshLayers& layers, const gl::Texture& color, const Atlas& atlas) override;
 
-    /// How many views one geometry shader may write, each vertex having so many components.
-    [[nodiscard]] static int mostViewsPerPass(int componentsPerVertex);
+    /// How many of `views` a pass repeats: as many as `wanted` (0: all), within the driver's limits
+    /// on a geometry shader whose vertices have so many components.
+    [[nodiscard]] static int allowed(int wanted, int views, int componentsPerVertex);
 
   private:
     PipelineParams params_;

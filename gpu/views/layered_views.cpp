@@ -3,25 +3,19 @@
 #include "gpu/views/geometry_views.hpp"
 #include "gpu/views/view_synthesis.hpp"
 
-#include <algorithm>
 #include <string>
 
 namespace autostereo::gpu {
 
 namespace {
-
 constexpr int kComponents = 4 + 1 + 2; // position, layer, texture coordinate
-
-int allowed(int wanted, int views) {
-    const int most = GeometryViews::mostViewsPerPass(kComponents);
-    return std::min(views, wanted > 0 ? std::min(wanted, most) : most);
 }
-
-} // namespace
 
 LayeredViews::LayeredViews(const calib::DisplayProfile& display, const PipelineParams& params,
                            int viewsPerPass)
-    : params_(params), viewsPerPass_(allowed(viewsPerPass, display.views)), drawer_(params.mesh),
+    : params_(params),
+      viewsPerPass_(GeometryViews::allowed(viewsPerPass, display.views, kComponents)),
+      drawer_(params.mesh),
       program_({"mesh_view.vert", "mesh_views.geom", "mesh_view.frag"},
                {"REPEATED", "LAYERED", "VIEWS " + std::to_string(viewsPerPass_)}),
       positions_(makeViewPositions(display)) {}
