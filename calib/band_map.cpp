@@ -46,8 +46,6 @@ LinearPhase trackedLensPhase(const TrackedLens& lens, const glm::dvec3& eye) {
     return phase;
 }
 
-namespace {
-
 std::vector<glm::dvec3> nominalEyes(const DisplayProfile& display) {
     const double reach = display.viewingDistanceM * std::tan(display.coneRad / 2);
     std::vector<glm::dvec3> eyes;
@@ -56,6 +54,8 @@ std::vector<glm::dvec3> nominalEyes(const DisplayProfile& display) {
         eyes.emplace_back(viewPosition(display, view) * reach, 0, display.viewingDistanceM);
     return eyes;
 }
+
+namespace {
 
 /// Cycles -> units, up to a whole cycle, which wrapping cannot hold.
 std::uint32_t bandWidth(double cycles) {

@@ -3,6 +3,8 @@
 #include "calib/display_profile.hpp"
 #include "calib/phase_tables.hpp"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -27,6 +29,9 @@ struct BandMap {
 [[nodiscard]] LinearPhase lineScreenPhase(const LineScreen& screen, const DisplayProfile& display,
                                           int width, int height, const glm::dvec3& eye);
 [[nodiscard]] LinearPhase trackedLensPhase(const TrackedLens& lens, const glm::dvec3& eye);
+
+/// The display's views as eyes in their nominal places, left to right: display space, metres.
+[[nodiscard]] std::vector<glm::dvec3> nominalEyes(const DisplayProfile& display);
 
 /// Eyes as given; none: the file's own, else the display's views in their nominal places.
 [[nodiscard]] BandMap bandMap(const DisplayProfile& display, int width, int height,

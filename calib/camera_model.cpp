@@ -60,6 +60,11 @@ glm::dvec2 distort(const Distortion& k, const glm::dvec2& ray) {
             y * radial + k.p1 * (r2 + 2 * y * y) + 2 * k.p2 * x * y};
 }
 
+glm::dmat2 distortSlope(const Distortion& k, const glm::dvec2& ray) {
+    const Jacobian slope = jacobianAt(k, ray);
+    return {slope.xx, slope.xy, slope.xy, slope.yy};
+}
+
 std::optional<glm::dvec2> CameraModel::project(const glm::dvec3& point) const {
     if (!(point.z > 0)) return std::nullopt;
     const glm::dvec2 ray{point.x / point.z, point.y / point.z};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -42,6 +43,8 @@ struct CameraModel {
 
 /// Undistorted (x/z, y/z) -> distorted; the forward model of OpenCV's projectPoints.
 [[nodiscard]] glm::dvec2 distort(const Distortion& distortion, const glm::dvec2& ray);
+/// Its derivative by the ray (symmetric).
+[[nodiscard]] glm::dmat2 distortSlope(const Distortion& distortion, const glm::dvec2& ray);
 
 /// What is wrong with a camera as one phrase ("fx = 0 (allowed > 0)"), or nothing.
 [[nodiscard]] std::optional<std::string> problemWith(const CameraModel& camera);

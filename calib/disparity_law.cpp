@@ -4,13 +4,17 @@
 
 namespace autostereo::calib {
 
+double fanHalfWidth(const DisplayProfile& display) {
+    return display.viewingDistanceM * std::tan(display.coneRad / 2) / display.widthM;
+}
+
 DisparityLaw disparityLaw(const DisplayProfile& display, double focusM, double cameraWidthAtFocusM,
                           double depthScale) {
     DisparityLaw law;
     law.focusM = focusM;
     law.scale = depthScale * display.widthM / cameraWidthAtFocusM;
     law.viewerDistanceM = display.viewingDistanceM;
-    law.fanHalfWidth = display.viewingDistanceM * std::tan(display.coneRad / 2) / display.widthM;
+    law.fanHalfWidth = fanHalfWidth(display);
     law.farthest = display.disparityFar;
     law.nearest = display.disparityNear;
     return law;

@@ -40,6 +40,9 @@ struct DepthInterval {
 };
 [[nodiscard]] DepthInterval unclampedDepths(const DisparityLaw& law);
 
+/// Bx = D tan(cone / 2) / W: from the middle of the fan to its edge, panel widths.
+[[nodiscard]] double fanHalfWidth(const DisplayProfile& display);
+
 /// `cameraWidthAtFocusM`: what of the scene fills the panel's width in the focus plane, metres.
 [[nodiscard]] DisparityLaw disparityLaw(const DisplayProfile& display, double focusM,
                                         double cameraWidthAtFocusM, double depthScale);

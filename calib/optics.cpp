@@ -181,6 +181,12 @@ LensArray lensesOf(const Sheet& sheet, const DisplayProfile& display) {
 }
 
 SubpixelLayout subpixelsOf(const DisplayProfile& display) {
+    if (const auto* screen = std::get_if<LineScreen>(&display.law)) {
+        SubpixelLayout layout = stripes(display);
+        for (std::size_t c = 0; c < 3; ++c)
+            layout.offsetsM[0][c] = {screen->subpixelOffsetsM[c], 0};
+        return layout;
+    }
     if (const auto* lens = std::get_if<VanBerkelLens>(&display.law))
         return stripes(display, lens->bgr);
     SubpixelLayout layout = stripes(display);
@@ -219,10 +225,7 @@ DisplayOptics lineScreen(const DisplayProfile& display, const LineScreen& screen
     slits.axisM = screen.shiftM + pitch * (1 + screen.dutyCycle) / 2;
     slits.gapM = screen.thicknessM;
     slits.aperture = display.optics.aperture > 0 ? display.optics.aperture : 1 - screen.dutyCycle;
-    SubpixelLayout layout = stripes(display);
-    for (std::size_t c = 0; c < 3; ++c)
-        layout.offsetsM[0][c] = {screen.subpixelOffsetsM[c], 0};
-    return {std::move(slits), std::move(layout)};
+    return {std::move(slits), subpixelsOf(display)};
 }
 
 /// Nodes a and b, the shorter way round.
@@ -255,6 +258,11 @@ double LensArray::coordinate(const glm::dvec3& eye, const glm::dvec2& panelPoint
     if (correction.cycles.empty()) return cycles;
     return cycles + correctionAt(correction, 0.5 + crossing.x / correctedM.x,
                                  0.5 - crossing.y / correctedM.y);
+}
+
+std::optional<SubpixelLayout> subpixelLayout(const DisplayProfile& display) {
+    if (display.optics.kind == Optics::Kind::None) return std::nullopt;
+    return subpixelsOf(display);
 }
 
 std::optional<DisplayOptics> displayOptics(const DisplayProfile& display) {

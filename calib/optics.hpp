@@ -61,6 +61,10 @@ struct SubpixelLayout {
     }
 };
 
+/// Nothing for displays without optics: frame formats and colour filters, whose pixels count as
+/// one place. An RGB stripe where the maker's formula has no more to say.
+[[nodiscard]] std::optional<SubpixelLayout> subpixelLayout(const DisplayProfile& display);
+
 struct DisplayOptics {
     LensArray lenses;
     SubpixelLayout subpixels;

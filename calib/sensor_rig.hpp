@@ -14,6 +14,7 @@ struct SensorRig {
     CameraModel color;
     RigidTransform colorFromDepth;
     std::string provenance; ///< where the numbers come from, for logs and reports
+    double colorLateS = 0;  ///< stamps of colour minus stamps of depth, of one moment
 };
 
 } // namespace autostereo::calib

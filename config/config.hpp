@@ -1,8 +1,10 @@
 #pragma once
 
 #include "calib/display_profile.hpp"
+#include "calib/picture.hpp"
 #include "calib/sensor_rig.hpp"
 #include "devices/params.hpp"
+#include "devices/tracking/params.hpp"
 #include "gpu/params.hpp"
 
 #include <optional>
@@ -20,16 +22,41 @@ struct LogParams {
     std::string level = "info"; ///< error, warn, info, debug, trace
 };
 
+/// The socket on which a running program is asked and told.
+struct ControlParams {
+    std::optional<std::string> socket; ///< none: where such sockets lie; "": none is opened
+    std::string group;                 ///< its members may, too; "": only root and our own user
+};
+
+/// What is shown when the sensors give nothing.
+struct IdleParams {
+    devices::Duration freeze = std::chrono::seconds(1); ///< so long the last picture stays
+    calib::Picture picture;                             ///< none: a plain one
+    std::string startingText = "One moment, please";
+    std::string noInputText = "No camera found";
+    std::string depthLostText = "The depth camera does not answer";
+    std::string colorLostText = "The colour camera does not answer";
+    std::string bothLostText = "The cameras do not answer";
+    std::string noPairsText = "The cameras do not fit together";
+};
+
 /// Everything a configuration file can say: all rooms' params together.
 struct Config {
     std::string input = "sim:person";
-    std::string display;            ///< profile name or file; empty: preview
-    std::optional<std::string> rig; ///< rig file; none: the input's own calibration
-    std::optional<Output> output;   ///< none: window if there is a display, else off-screen
+    std::optional<std::string> color; ///< another input's colour; none: the input's own
+    std::string display;              ///< profile name or file; empty: preview
+    std::optional<std::string> rig;   ///< rig file; none: the input's own calibration
+    std::optional<bool> wait;         ///< for an input that is not there; none: in a window
+    std::optional<Output> output;     ///< none: window if there is a display, else off-screen
     devices::SyncParams sync;
     devices::ReconnectParams reconnect;
     gpu::PipelineParams pipeline;
     Following depthFollows = Following::Live; ///< decides pipeline.budget.follow, by command
+    double brightness = 1;                    ///< of the live panel and its idle picture, 0 to 1
+    bool flat = false;                        ///< everything in the panel's plane
+    devices::ViewerParams viewer;
+    IdleParams idle;
+    ControlParams control;
     LogParams log;
 };
 

@@ -22,6 +22,10 @@ class ConfigError : public std::runtime_error {
 /// The embedded default.toml.
 [[nodiscard]] Config defaultConfig();
 
+/// The configuration with one of the settings that a running program takes: scale, focus, method,
+/// brightness or mode, with the ranges that files have. Throws ConfigError.
+[[nodiscard]] Config changed(Config config, const std::string& name, const std::string& value);
+
 /// Display profile by file path (a display file, or a Looking Glass' or CubeVi's own calibration,
 /// .json), or by name from the embedded profiles. Throws ConfigError; no physical number has a
 /// default.

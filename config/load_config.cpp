@@ -1,21 +1,22 @@
+#include "config/durations.hpp"
 #include "config/load.hpp"
+#include "config/phrases.hpp"
 #include "config/read_framing.hpp"
+#include "config/read_service.hpp"
+#include "config/read_viewer.hpp"
 #include "config/text_file.hpp"
 #include "config/toml_reader.hpp"
 #include "config/units.hpp"
 #include "config/vendor_calibration.hpp"
 
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <string>
 
 namespace autostereo::config {
 
 namespace {
-
-devices::Duration milliseconds(TomlReader& table, std::string_view key, Range range,
-                               devices::Duration fallback) {
-    const std::chrono::duration<double, std::milli> otherwise = fallback;
-    return units::durationFromMs(table.number(key, range, otherwise.count()));
-}
 
 void readTiming(TomlReader& root, Config& config) {
     auto sync = root.table("sync");
@@ -66,15 +67,7 @@ void readCondition(TomlReader& root, gpu::ConditionParams& params) {
 
 void readSynthesis(TomlReader& root, gpu::SynthesisParams& params) {
     auto table = root.table("synthesis");
-    params.method = table.choice<gpu::Method>("method",
-                                              {{"auto", gpu::Method::Auto},
-                                               {"direct", gpu::Method::Direct},
-                                               {"instanced", gpu::Method::Instanced},
-                                               {"multipass", gpu::Method::Multipass},
-                                               {"geometry", gpu::Method::Geometry},
-                                               {"mrt", gpu::Method::Layered},
-                                               {"hybrid", gpu::Method::Hybrid}},
-                                              params.method);
+    params.method = table.choice<gpu::Method>("method", gpu::kMethods, params.method);
     params.positions = table.choice<gpu::ViewPositions>(
         "positions",
         {{"continuous", gpu::ViewPositions::Continuous}, {"views", gpu::ViewPositions::OfViews}},
@@ -82,6 +75,7 @@ void readSynthesis(TomlReader& root, gpu::SynthesisParams& params) {
     params.filter = table.choice<gpu::TileFilter>(
         "filter", {{"nearest", gpu::TileFilter::Nearest}, {"linear", gpu::TileFilter::Linear}},
         params.filter);
+    params.keepRoots = table.boolean("keep_roots", params.keepRoots);
     params.leastDb = table.number("max_error_db", {0, 55}, params.leastDb);
     params.tileScale = table.number("tile_scale", {0.05, 4}, params.tileScale);
     params.viewsPerPass = table.integer("views_per_pass", {0, 64}, params.viewsPerPass);
@@ -111,8 +105,6 @@ void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
         registration.integer("extrude_px", {0, 16}, params.registration.extrudePx);
 
     readSynthesis(root, params.synthesis);
-    auto picture = root.table("picture");
-    params.clearColor = picture.numbers<3>("clear_color", {0, 1}, params.clearColor);
 }
 
 /// The two ends of an interval: rising, each within the range.
@@ -148,15 +140,41 @@ void readDepth(TomlReader& root, Config& config) {
     motion.deadBand = depth.number("dead_band", {0, 1}, motion.deadBand);
 }
 
+/// A file by its name as the configuration gives it: relative names start from its folder.
+std::string fileFrom(const std::filesystem::path& folder, const std::string& name) {
+    return (folder / name).lexically_normal().string();
+}
+
+/// A number as it is, all else in quotes.
+std::string tomlValue(const std::string& text) {
+    double number = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc{} && rest == end && std::isfinite(number)) return plain(number);
+    std::string quoted = "\"";
+    for (const char c : oneLine(text)) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
 /// Every key a configuration may have; those not in the file keep their value. Files that it names
 /// are looked for in `folder`.
 void readConfig(TomlReader& root, const std::filesystem::path& folder, Config& config) {
     auto input = root.table("input");
     config.input = input.text("uri", config.input);
+    config.color = input.textOrAuto("color", config.color);
     config.rig = input.textOrAuto("rig", config.rig);
+    if (config.rig && input.has("rig")) config.rig = fileFrom(folder, *config.rig);
+    config.wait = input.choice<std::optional<bool>>(
+        "wait", {{"auto", std::nullopt}, {"yes", true}, {"no", false}}, config.wait);
 
     auto display = root.table("display");
     config.display = display.textOrAuto("profile", config.display).value_or("");
+    const std::string kind = std::filesystem::path(config.display).extension();
+    if (display.has("profile") && (kind == ".toml" || kind == ".json"))
+        config.display = fileFrom(folder, config.display);
 
     auto output = root.table("output");
     config.output = output.choice<std::optional<Output>>(
@@ -167,9 +185,17 @@ void readConfig(TomlReader& root, const std::filesystem::path& folder, Config& c
     readTiming(root, config);
     readPipeline(root, config.pipeline);
     readDepth(root, config);
+    auto picture = root.table("picture");
+    auto& clearColor = config.pipeline.clearColor;
+    clearColor = picture.numbers<3>("clear_color", {0, 1}, clearColor);
+    config.brightness = picture.number("brightness", {0, 1}, config.brightness);
+    config.flat = picture.choice<bool>("mode", {{"3d", false}, {"2d", true}}, config.flat);
+
     auto framing = root.table("framing");
     readFraming(framing, folder, config.pipeline);
+    readViewer(root, folder, config.viewer);
 
+    readService(root, folder, config);
     auto log = root.table("log");
     config.log.level = log.choice<std::string>("level",
                                                {{"error", "error"},
@@ -198,12 +224,37 @@ Config loadConfig(const std::filesystem::path& file) {
     return config;
 }
 
+Config changed(Config config, const std::string& name, const std::string& value) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kSettings{
+        {{"scale", "depth.scale"},
+         {"focus", "depth.focus_m"},
+         {"method", "synthesis.method"},
+         {"brightness", "picture.brightness"},
+         {"mode", "picture.mode"}}};
+    std::vector<std::string_view> names;
+    for (const auto& [known, key] : kSettings) {
+        names.push_back(known);
+        if (known != name) continue;
+        // As a file of one line: the same ranges, the same words.
+        try {
+            TomlReader root("set", std::string(key) + " = " + tomlValue(value));
+            readConfig(root, {}, config);
+            return config;
+        } catch (const ConfigError& error) {
+            const std::string what = error.what(); // "set:1:15: depth.scale: ..."
+            throw ConfigError("set " + name + ": " + what.substr(what.find(": ") + 2));
+        }
+    }
+    throw ConfigError(oneLine("set " + name + ": unknown " + allowed(names)));
+}
+
 FileKind kindOf(const std::filesystem::path& file) {
     if (file.extension() == ".json")
         return vendorOf(readTextFile(file)) ? FileKind::Display : FileKind::Rig;
     const TomlReader root(file.string(), readTextFile(file));
     if (root.has("type") || root.has("panel")) return FileKind::Display;
-    if (root.has("color_from_depth") || root.has("color")) return FileKind::Rig;
+    if (root.has("color_from_depth") || root.has("color") || root.has("provenance"))
+        return FileKind::Rig;
     return FileKind::Config;
 }
 

@@ -49,9 +49,11 @@ calib::LineScreen readLineScreen(DisplayReader& display) {
         units::metresFromMm(display.lensNumber(barrier, "thickness_mm", {0.001, 1000}));
     screen.angleRad = units::radiansFromDeg(display.lensNumber(barrier, "angle_deg", {-60, 60}));
     screen.shiftM = units::metresFromMm(display.lensNumber(barrier, "shift_mm", {-1000, 1000}));
-    screen.guard = barrier.number("guard", {0, 0.98}, 0);
+    screen.guard = barrier.number("guard", {-0.98, 0.98}, 0);
     if (!(screen.guard < 1 - screen.dutyCycle))
         barrier.reject("guard", "leaves no light (allowed < 1 - duty_cycle)");
+    if (!(screen.guard > -screen.dutyCycle))
+        barrier.reject("guard", "leaves nothing dark (allowed > -duty_cycle)");
     if (!(display.profile.viewingDistanceM > screen.thicknessM))
         barrier.reject("thickness_mm", "reaches the viewer (allowed < viewing.distance_m)");
     screen.form =

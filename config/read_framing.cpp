@@ -1,11 +1,11 @@
 #include "config/read_framing.hpp"
 
-#include "devices/replay/image_files.hpp"
+#include "config/read_picture.hpp"
 
 #include <array>
 #include <cmath>
-#include <span>
 #include <stdexcept>
+#include <utility>
 
 namespace autostereo::config {
 
@@ -25,18 +25,6 @@ void readChoice(TomlReader& framing, calib::FramingChoice& choice) {
 
 std::uint8_t level(double share) { return static_cast<std::uint8_t>(std::lround(255 * share)); }
 
-/// Throws std::runtime_error.
-void readPicture(const std::filesystem::path& file, gpu::BackdropParams& backdrop) {
-    devices::ImageReader reader;
-    const devices::ImageHeader header = reader.open(file);
-    if (header.format != devices::ImageFormat::Rgba8)
-        throw std::runtime_error(file.string() + ": is 16-bit grey (allowed an 8-bit picture)");
-    backdrop.width = header.width;
-    backdrop.height = header.height;
-    backdrop.pixels.resize(header.bytes());
-    reader.decode(std::as_writable_bytes(std::span(backdrop.pixels)));
-}
-
 void readBackdrop(TomlReader& framing, const std::filesystem::path& folder,
                   gpu::BackdropParams& backdrop) {
     backdrop.cutM = framing.number("far_cut_m", {0, 100}, backdrop.cutM);
@@ -44,7 +32,10 @@ void readBackdrop(TomlReader& framing, const std::filesystem::path& folder,
     const std::string name = framing.text("backdrop_picture", "");
     if (!name.empty()) {
         try {
-            readPicture(folder / name, backdrop);
+            calib::Picture picture = readPicture(folder / name);
+            backdrop.width = picture.width;
+            backdrop.height = picture.height;
+            backdrop.pixels = std::move(picture.pixels);
         } catch (const std::runtime_error& error) {
             framing.reject("backdrop_picture", error.what());
         }

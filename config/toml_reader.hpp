@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -82,14 +83,20 @@ class TomlReader {
     /// One of a few words, each with what it stands for.
     template<class Value>
     [[nodiscard]] Value choice(std::string_view key,
-                               std::initializer_list<std::pair<std::string_view, Value>> allowed,
+                               std::span<const std::pair<std::string_view, Value>> allowed,
                                const std::optional<Value>& fallback = std::nullopt) {
         std::vector<std::string_view> words;
         for (const auto& entry : allowed)
             words.push_back(entry.first);
         if (const auto index = wordIndex(key, words, fallback.has_value()))
-            return (allowed.begin() + *index)->second;
-        return fallback.value_or(allowed.begin()->second);
+            return allowed[*index].second;
+        return fallback.value_or(allowed.front().second);
+    }
+    template<class Value>
+    [[nodiscard]] Value choice(std::string_view key,
+                               std::initializer_list<std::pair<std::string_view, Value>> allowed,
+                               const std::optional<Value>& fallback = std::nullopt) {
+        return choice<Value>(key, std::span(allowed.begin(), allowed.size()), fallback);
     }
 
     /// The place of the key's word in a list, for lists that are not known beforehand.

@@ -47,6 +47,20 @@ void TomlText::integer(std::string_view key, int value) { line(key, std::to_stri
 
 void TomlText::boolean(std::string_view key, bool value) { line(key, value ? "true" : "false"); }
 
+void TomlText::numbers(std::string_view key, const std::vector<double>& values) {
+    std::string list;
+    for (const double value : values)
+        list += (list.empty() ? "" : ", ") + digits(value);
+    line(key, '[' + list + ']');
+}
+
+void TomlText::words(std::string_view key, const std::vector<std::string>& values) {
+    std::string list;
+    for (const std::string& value : values)
+        list += "\n    " + quoted(value) + ',';
+    line(key, '[' + list + (list.empty() ? "]" : "\n]"));
+}
+
 void TomlText::rows(std::string_view key, const std::vector<std::vector<double>>& rows) {
     std::string list;
     for (const auto& row : rows) {

@@ -19,6 +19,8 @@ class TomlText {
     void number(std::string_view key, double value);
     void integer(std::string_view key, int value);
     void boolean(std::string_view key, bool value);
+    void numbers(std::string_view key, const std::vector<double>& values);
+    void words(std::string_view key, const std::vector<std::string>& values);
     void rows(std::string_view key, const std::vector<std::vector<double>>& rows);
     /// Keys of any letters.
     void texts(const std::map<std::string, std::string>& values);

@@ -30,7 +30,7 @@ void writePlots(const std::filesystem::path& folder, const std::vector<bench::Ro
 
 int benchmark(const BenchOptions& options) {
     const auto rows = bench::run(
-        options.suite, [](const std::string& what) { std::cerr << "bench: " << what << '\n'; });
+        options.request, [](const std::string& what) { std::cerr << "bench: " << what << '\n'; });
     std::cout << bench::markdown(rows);
     if (options.json) devices::writeWhole(*options.json, bench::json(rows), "bench: ");
     if (options.plot) writePlots(*options.plot, rows);

@@ -1,3 +1,4 @@
+#include "config/rig_file.hpp"
 #include "daemon/commands.hpp"
 #include "daemon/wiring.hpp"
 #include "devices/replay_feed.hpp"
@@ -9,6 +10,20 @@ namespace autostereo::daemon {
 
 namespace {
 
+/// A rig, whole or in part, with what its calibration says of itself.
+std::string rigText(const std::filesystem::path& file) {
+    if (file.extension() == ".json") {
+        static_cast<void>(config::loadRig(file));
+        return "rig";
+    }
+    const config::RigFile rig = config::readRigFile(file);
+    std::string what = rig.depth && rig.color && rig.colorFromDepth ? "rig" : "part of a rig";
+    if (rig.quality.empty()) return what;
+    for (const std::string& line : config::explained(rig))
+        what += "\n  " + line;
+    return what;
+}
+
 /// What the file is, in a few words. Throws what its reader throws.
 std::string inspectText(const std::filesystem::path& file) {
     switch (config::kindOf(file)) {
@@ -18,8 +33,7 @@ std::string inspectText(const std::filesystem::path& file) {
     case config::FileKind::Display:
         return "display, " + config::loadDisplay(file.string()).model;
     case config::FileKind::Rig:
-        static_cast<void>(config::loadRig(file));
-        return "rig";
+        return rigText(file);
     }
     return "";
 }

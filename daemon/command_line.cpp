@@ -8,11 +8,7 @@ const std::map<std::string, config::Output> kOutputs{{"window", config::Output::
                                                      {"offscreen", config::Output::Offscreen}};
 const std::map<std::string, config::Speed> kSpeeds{{"realtime", config::Speed::Realtime},
                                                    {"max", config::Speed::Max}};
-const std::map<std::string, gpu::Method> kMethods{
-    {"auto", gpu::Method::Auto},           {"direct", gpu::Method::Direct},
-    {"instanced", gpu::Method::Instanced}, {"multipass", gpu::Method::Multipass},
-    {"geometry", gpu::Method::Geometry},   {"mrt", gpu::Method::Layered},
-    {"hybrid", gpu::Method::Hybrid}};
+const std::map<std::string, gpu::Method> kMethods(gpu::kMethods.begin(), gpu::kMethods.end());
 const std::map<std::string, Picture> kPictures{{"panel", Picture::Panel},
                                                {"quilt", Picture::Quilt},
                                                {"views", Picture::Views},
@@ -23,11 +19,11 @@ const std::map<std::string, Picture> kPictures{{"panel", Picture::Panel},
                                                {"sbs", Picture::SideBySide},
                                                {"anaglyph", Picture::Anaglyph}};
 
-// Known words of the command line whose work is not in this version yet.
-constexpr std::array kLaterCommands{"record", "status", "snapshot", "reload", "set", "show"};
-
 void addScene(CLI::App& command, SceneOptions& scene) {
-    command.add_option("--input", scene.input, "Input URI, e.g. sim:person or recording.mkv");
+    command.add_option("--input", scene.input,
+                       "Input URI, e.g. sim:person, recording.mkv, kinect2: or v4l2:/dev/video0");
+    command.add_option("--color", scene.color,
+                       "Input URI whose colour replaces that of --input, e.g. v4l2:serial=1234");
     command.add_option("--display", scene.display, "Display profile: a shipped name or a file");
     command.add_option("--rig", scene.rig, "Cameras' calibration (replaces the input's own)");
     command.add_option("--config", scene.config, "Configuration file");
@@ -54,10 +50,23 @@ void addRun(CLI::App& app, RunOptions& run) {
         "realtime (as recorded; late frames are dropped) or max (every frame, repeatable)");
     command->add_option("--snapshot", run.snapshot, "PNG of the panel at the end");
     command->add_option("--report", run.report, "JSON with accounts, stage times and latency");
-    addLater(*command, "--record");
+    command->add_option("--record", run.record,
+                        "Matroska file (Azure Kinect convention) of what the cameras give");
     addLater(*command, "--record-raw");
     command->footer("Example: autostereo run --input recording.mkv --display "
                     "looking-glass-portrait --output offscreen --frames 30 --report report.json");
+}
+
+void addRecord(CLI::App& app, RecordOptions& record) {
+    CLI::App* command = app.add_subcommand("record", "Record cameras without showing anything");
+    addScene(*command, record.scene);
+    command->add_option("--output", record.output, "Matroska file (Azure Kinect convention)")
+        ->required();
+    command->add_option("--frames", record.frames, "Stop after so many pairs")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 53));
+    command->add_option_function<std::string>("--speed", oneOf(record.speed, kSpeeds, "--speed"),
+                                              "realtime (as they come) or max (recordings)");
+    command->footer("Example: autostereo record --input sim:person --frames 300 --output p.mkv");
 }
 
 void addRender(CLI::App& app, RenderOptions& render) {
@@ -116,52 +125,32 @@ void addCheck(CLI::App& app, CheckOptions& check) {
 void addBench(CLI::App& app, BenchOptions& bench) {
     CLI::App* command =
         app.add_subcommand("bench", "Run time of every method against its error, as a table");
-    command->add_option("--suite", bench.suite, "quick (two minutes) or full (default: quick)")
+    command
+        ->add_option("--suite", bench.request.suite,
+                     "quick (some minutes) or full (default: quick)")
         ->check(CLI::IsMember({"quick", "full"}));
+    command->add_option("--display", bench.request.display, "Only on this display");
+    command->add_option("--input", bench.request.input,
+                        "Input URI whose first picture takes the place of the suite's scenes");
     command->add_option("--json", bench.json, "The rows for machines");
     command->add_option("--plot", bench.plot, "Folder for a picture (SVG) of each scene");
-    command->footer("Example: autostereo bench --suite quick --json bench.json --plot plots");
-}
-
-constexpr std::array kLaterCalibrations{"cameras", "rig", "display"};
-
-void addCalibrate(CLI::App& app, CalibrateNoiseOptions& noise) {
-    CLI::App* calibrate = app.add_subcommand("calibrate", "Measure cameras and displays");
-    calibrate->require_subcommand(1);
-    CLI::App* command = calibrate->add_subcommand(
-        "noise", "The depth camera's noise, from a still scene, as a configuration file");
-    command->add_option("--input", noise.input, "Input URI of a scene in which nothing moves")
-        ->required();
-    command->add_option("--rig", noise.rig, "Cameras' calibration (replaces the input's own)");
-    command->add_option("--frames", noise.frames, "How many are measured (default: 60)")
-        ->check(CLI::Range(std::uint64_t{3}, std::uint64_t{1000}));
-    command->add_flag("--json", noise.json, "Figures for machines");
-    command->add_option("--output", noise.output, "Configuration file, .toml")->required();
     command->footer(
-        "Example: autostereo calibrate noise --input recording.mkv --output noise.toml");
+        "Example: autostereo bench --input recording.mkv --json bench.json --plot plots");
 }
 
 void addDevices(CLI::App& app, DevicesOptions& devices) {
     CLI::App* command = app.add_subcommand(
-        "devices", "List monitors, their links, Looking Glass volumes, displays, inputs");
+        "devices", "List monitors, their links, Looking Glass volumes, cameras, displays, inputs");
     command->add_flag("--json", devices.json, "For machines");
     command->add_option("--root", devices.root, "Where sys, proc and dev are looked for")
         ->group("");
     command->footer("Example: autostereo devices --json");
 }
 
-} // namespace
-
-CommandLine parseCommandLine(int argc, const char* const* argv) {
-    CLI::App app{"autostereo: live depth and colour cameras on an autostereoscopic display"};
-    app.name("autostereo");
-    app.set_version_flag("--version", "autostereo " AUTOSTEREO_VERSION);
-    if (argc > 1 && contains(kLaterCommands, argv[1])) notInThisVersion(argv[1]);
-    if (argc > 2 && argv[1] == std::string_view("calibrate") &&
-        contains(kLaterCalibrations, argv[2]))
-        notInThisVersion(std::string("calibrate ") + argv[2]);
-
+/// Every command's options; the one that was given is filled in.
+struct AllOptions {
     RunOptions run;
+    RecordOptions record;
     RenderOptions render;
     CheckOptions check;
     DevicesOptions devices;
@@ -172,16 +161,31 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     ImportOptions import;
     BenchOptions bench;
     CalibrateNoiseOptions noise;
-    addRun(app, run);
-    addRender(app, render);
-    addDisplayCommands(app, interleave, viewmap, look, pattern, import);
-    addCheck(app, check);
-    addDevices(app, devices);
-    addBench(app, bench);
-    addCalibrate(app, noise);
+    CalibrateCamerasOptions cameras;
+    CalibrateRigOptions rig;
+    CalibrateTimingOptions timing;
+    CalibrateDisplayOptions display;
+    ControlOptions control;
+};
+
+void addCommands(CLI::App& app, AllOptions& all) {
+    addRun(app, all.run);
+    addRecord(app, all.record);
+    addRender(app, all.render);
+    addDisplayCommands(app, all.interleave, all.viewmap, all.look, all.pattern, all.import);
+    addCheck(app, all.check);
+    addDevices(app, all.devices);
+    addBench(app, all.bench);
+    addCalibrate(app, all.noise, all.cameras, all.rig, all.timing, all.display);
+    addControlCommands(app, all.control);
     app.require_subcommand(0, 1);
+}
+
+/// The help or version that was asked for instead of a command.
+std::optional<Information> parse(CLI::App& app, int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
+        return std::nullopt;
     } catch (const CLI::CallForHelp&) {
         const CLI::App* asked = &app;
         while (!asked->get_subcommands().empty())
@@ -192,16 +196,39 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + " (see autostereo --help)");
     }
-    checkRender(render);
+}
+
+CommandLine chosen(const CLI::App& app, const AllOptions& all) {
     const std::map<std::string, CommandLine> options{
-        {"run", run},         {"render", render},         {"check", check},
-        {"devices", devices}, {"interleave", interleave}, {"viewmap", viewmap},
-        {"look", look},       {"pattern", pattern},       {"import", import},
-        {"bench", bench},     {"calibrate", noise}};
-    for (const CLI::App* command : app.get_subcommands())
+        {"run", all.run},         {"record", all.record},   {"render", all.render},
+        {"check", all.check},     {"devices", all.devices}, {"interleave", all.interleave},
+        {"viewmap", all.viewmap}, {"look", all.look},       {"pattern", all.pattern},
+        {"import", all.import},   {"bench", all.bench},     {"noise", all.noise},
+        {"cameras", all.cameras}, {"rig", all.rig},         {"timing", all.timing},
+        {"display", all.display}, {"status", all.control},  {"snapshot", all.control},
+        {"reload", all.control},  {"set", all.control},     {"show", all.control}};
+    for (const CLI::App* command : app.get_subcommands()) {
+        while (!command->get_subcommands().empty()) // calibrate's
+            command = command->get_subcommands().front();
         return options.at(command->get_name());
-    throw UsageError("no command given (run, render, interleave, viewmap, look, pattern, import, "
-                     "calibrate, check, devices, bench): see autostereo --help");
+    }
+    throw UsageError(
+        "no command given (run, record, render, interleave, viewmap, look, pattern, import, "
+        "calibrate, check, devices, bench, status, snapshot, reload, set, show): see autostereo "
+        "--help");
+}
+
+} // namespace
+
+CommandLine parseCommandLine(int argc, const char* const* argv) {
+    CLI::App app{"autostereo: live depth and colour cameras on an autostereoscopic display"};
+    app.name("autostereo");
+    app.set_version_flag("--version", "autostereo " AUTOSTEREO_VERSION);
+    AllOptions all;
+    addCommands(app, all);
+    if (auto information = parse(app, argc, argv)) return *information;
+    checkRender(all.render);
+    return chosen(app, all);
 }
 
 } // namespace autostereo::daemon

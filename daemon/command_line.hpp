@@ -1,6 +1,8 @@
 #pragma once
 
 #include "config/config.hpp"
+#include "daemon/control_request.hpp"
+#include "tests/bench/views/row.hpp"
 
 #include <glm/vec3.hpp>
 
@@ -24,6 +26,7 @@ class UsageError : public std::runtime_error {
 struct SceneOptions {
     std::optional<std::filesystem::path> config;
     std::optional<std::string> input;
+    std::optional<std::string> color;
     std::optional<std::string> display;
     std::optional<std::filesystem::path> rig;
 };
@@ -33,9 +36,17 @@ struct RunOptions {
     std::optional<config::Output> output;
     bool force = false;
     std::optional<std::uint64_t> frames;
-    std::optional<config::Speed> speed; ///< none: realtime
+    std::optional<config::Speed> speed;          ///< none: realtime
+    std::optional<std::filesystem::path> record; ///< Matroska file
     std::optional<std::filesystem::path> snapshot;
     std::optional<std::filesystem::path> report;
+};
+
+struct RecordOptions {
+    SceneOptions scene;
+    std::filesystem::path output;
+    std::optional<std::uint64_t> frames;
+    std::optional<config::Speed> speed; ///< none: realtime
 };
 
 enum class Picture {
@@ -107,15 +118,18 @@ struct PatternOptions {
 };
 
 struct ImportOptions {
-    std::string kind; ///< "looking-glass", "cubevi"
+    std::string kind; ///< "looking-glass", "cubevi" displays; "k4a", "opencv", "ros" cameras
     std::filesystem::path file;
-    std::optional<std::string> base; ///< shipped display that the file builds on
+    std::optional<std::filesystem::path> color, pose; ///< where a rig comes in several files
+    std::optional<std::string> depthSize, colorSize;  ///< "640x576", where the file does not say
+    bool millimetres = false;                         ///< translations are
+    std::optional<std::string> base;                  ///< shipped display that the file builds on
     std::optional<calib::ViewOrder> order;
     std::filesystem::path output;
 };
 
 struct BenchOptions {
-    std::string suite = "quick";
+    bench::Request request;
     std::optional<std::filesystem::path> json;
     std::optional<std::filesystem::path> plot; ///< folder
 };
@@ -128,14 +142,52 @@ struct CalibrateNoiseOptions {
     std::filesystem::path output;
 };
 
+/// Pictures of a board, for `calibrate cameras` and `calibrate rig`.
+struct BoardOptions {
+    std::vector<std::filesystem::path> depth, color;
+    std::optional<std::string> input; ///< instead of pictures
+    std::uint64_t views = 20;         ///< taken from an input,
+    std::uint64_t every = 30;         ///< every so manieth pair
+    std::string board = "9x6";
+    double squareMm = 25;
+    std::optional<std::string> dictionary; ///< of a ChArUco board
+    double markerMm = 0;
+    std::optional<std::filesystem::path> pairs; ///< listed points instead of boards
+    std::optional<std::filesystem::path> rig;   ///< the cameras' own numbers, which then stay
+    std::optional<std::filesystem::path> opencv;
+    bool json = false;
+    std::filesystem::path output;
+};
+/// Photographs of a display, for `calibrate display`.
+struct CalibrateDisplayOptions {
+    std::string display;                            ///< that is assumed: the panel's model
+    std::filesystem::path camera;                   ///< rig file: its colour camera
+    std::vector<std::filesystem::path> photographs; ///< four from each place
+    bool json = false;
+    std::filesystem::path output;
+};
+struct CalibrateCamerasOptions : BoardOptions {};
+struct CalibrateRigOptions : BoardOptions {};
+struct CalibrateTimingOptions : BoardOptions {};
+
+/// A request to a running program.
+struct ControlOptions {
+    ControlRequest request;
+    std::optional<std::filesystem::path> socket; ///< none: where such sockets lie
+    bool json = false;
+    std::filesystem::path output; ///< of a snapshot
+};
+
 /// --help or --version: the text is printed, exit code 0.
 struct Information {
     std::string text;
 };
 
-using CommandLine = std::variant<RunOptions, RenderOptions, CheckOptions, DevicesOptions,
-                                 InterleaveOptions, ViewmapOptions, LookOptions, PatternOptions,
-                                 ImportOptions, BenchOptions, CalibrateNoiseOptions, Information>;
+using CommandLine =
+    std::variant<RunOptions, RecordOptions, RenderOptions, CheckOptions, DevicesOptions,
+                 InterleaveOptions, ViewmapOptions, LookOptions, PatternOptions, ImportOptions,
+                 BenchOptions, CalibrateNoiseOptions, CalibrateCamerasOptions, CalibrateRigOptions,
+                 CalibrateTimingOptions, CalibrateDisplayOptions, ControlOptions, Information>;
 
 /// Throws UsageError. Commands and options of later versions are known and say so.
 [[nodiscard]] CommandLine parseCommandLine(int argc, const char* const* argv);

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -25,12 +24,11 @@ bool contains(const Words& words, std::string_view word) {
     throw UsageError(what + ": not in this version");
 }
 
-/// A word out of a table; words of later versions are told apart from nonsense.
+/// A word out of a table.
 template<class Value>
-auto oneOf(std::optional<Value>& to, const std::map<std::string, Value>& table, const char* option,
-           std::span<const char* const> later = {}) {
-    return [&to, &table, option, later](const std::string& word) {
-        if (contains(later, word)) notInThisVersion(std::string(option) + " " + word);
+auto oneOf(std::optional<Value>& to, const std::map<std::string, Value>& table,
+           const char* option) {
+    return [&to, &table, option](const std::string& word) {
         const auto found = table.find(word);
         if (found == table.end()) {
             std::string allowed;
@@ -56,5 +54,13 @@ inline auto vector3(std::optional<glm::dvec3>& to, const char* option) {
 /// Adds "interleave", "viewmap", "look", "pattern" and "import".
 void addDisplayCommands(CLI::App& app, InterleaveOptions& interleave, ViewmapOptions& viewmap,
                         LookOptions& look, PatternOptions& pattern, ImportOptions& import);
+
+/// Adds "status", "snapshot", "reload", "set" and "show".
+void addControlCommands(CLI::App& app, ControlOptions& control);
+
+/// Adds "calibrate" with what can be calibrated.
+void addCalibrate(CLI::App& app, CalibrateNoiseOptions& noise, CalibrateCamerasOptions& cameras,
+                  CalibrateRigOptions& rig, CalibrateTimingOptions& timing,
+                  CalibrateDisplayOptions& display);
 
 } // namespace autostereo::daemon

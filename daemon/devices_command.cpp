@@ -3,6 +3,9 @@
 #include "devices/display/connectors.hpp"
 #include "devices/display/drm_reader.hpp"
 #include "devices/display/looking_glass_volumes.hpp"
+#include "devices/kinect2/usb/find_units.hpp"
+#include "devices/sysfs.hpp"
+#include "devices/v4l2/camera_report.hpp"
 #include "gpu/window_panel.hpp"
 
 #include <nlohmann/json.hpp>
@@ -70,6 +73,35 @@ Json volumesJson(const std::filesystem::path& root) {
     return list;
 }
 
+Json camerasJson(const std::filesystem::path& root) {
+    Json list = Json::array();
+    for (const auto& camera : devices::v4l2::reportCameras(root)) {
+        const devices::v4l2::CameraNode& node = camera.node;
+        Json modes = Json::array();
+        for (const devices::v4l2::Mode& mode : camera.modes)
+            modes.push_back(text(mode));
+        list.push_back({{"node", node.path.string()},
+                        {"name", node.name},
+                        {"serial", node.serial},
+                        {"bus", node.bus},
+                        {"usb_mbps", node.usbMbps == 0 ? Json() : Json(node.usbMbps)},
+                        {"modes", modes},
+                        {"problems", camera.problems}});
+    }
+    return list;
+}
+
+Json kinectsJson(const std::filesystem::path& root) {
+    Json list = Json::array();
+    for (const auto& unit : devices::kinect2::findUnits(root))
+        list.push_back({{"serial", unit.serial},
+                        {"node", unit.node.string()},
+                        {"port", unit.port},
+                        {"usb_mbps", unit.usbMbps},
+                        {"problems", devices::kinect2::problemsWith(unit, root)}});
+    return list;
+}
+
 Json findAll(const std::filesystem::path& root) {
     Json found{{"monitors", monitorsJson()}, {"connectors", Json::array()}};
     const devices::DrmReading drm = devices::readDrm(root / "dev/dri");
@@ -77,10 +109,15 @@ Json findAll(const std::filesystem::path& root) {
         found["connectors"].push_back(connectorJson(connector, drm));
     found["unread_cards"] = drm.notes;
     found["looking_glass"] = volumesJson(root);
+    found["cameras"] = camerasJson(root);
+    found["kinect2"] = kinectsJson(root);
+    const auto usbMemory = devices::usbMemoryMib(root);
+    found["usbfs_memory_mb"] = usbMemory ? Json(*usbMemory) : Json();
     found["displays"] = Json::array();
     for (const std::string& name : config::displayNames())
         found["displays"].push_back({{"name", name}, {"model", config::loadDisplay(name).model}});
-    found["inputs"] = {"sim:room", "sim:person", "sim:calibration-board"};
+    found["inputs"] = {"sim:room", "sim:person", "sim:calibration-board",
+                       "v4l2:",    "kinect2:",   "openni2:"};
     return found;
 }
 
@@ -112,6 +149,30 @@ void printVolumes(const Json& volumes) {
                   << '\n';
 }
 
+void printCameras(const Json& found) {
+    const bool none = found["cameras"].empty() && found["kinect2"].empty();
+    std::cout << "cameras:" << (none ? " none\n" : "\n");
+    for (const Json& one : found["cameras"]) {
+        std::cout << "  " << text(one["node"]) << ": " << text(one["name"]) << ", "
+                  << text(one["bus"]);
+        if (one["serial"] != "") std::cout << ", serial " << text(one["serial"]);
+        if (!one["usb_mbps"].is_null()) std::cout << ", " << one["usb_mbps"] << " Mb/s";
+        std::cout << ", " << one["modes"].size() << " modes\n";
+        for (const Json& mode : one["modes"])
+            std::cout << "    " << text(mode) << '\n';
+        for (const Json& problem : one["problems"])
+            std::cout << "    problem: " << text(problem) << '\n';
+    }
+    for (const Json& one : found["kinect2"]) {
+        std::cout << "  kinect2:" << text(one["serial"]) << ": Kinect v2, port "
+                  << text(one["port"]) << ", " << one["usb_mbps"] << " Mb/s\n";
+        for (const Json& problem : one["problems"])
+            std::cout << "    problem: " << text(problem) << '\n';
+    }
+    if (!found["usbfs_memory_mb"].is_null())
+        std::cout << "USB memory: " << found["usbfs_memory_mb"] << " MiB for all programs\n";
+}
+
 void print(const Json& found) {
     std::cout << "monitors:" << (found["monitors"].empty() ? " none\n" : "\n");
     for (const Json& monitor : found["monitors"])
@@ -119,6 +180,7 @@ void print(const Json& found) {
                   << monitor["height"] << " " << monitor["refresh_hz"] << " Hz\n";
     printConnectors(found);
     printVolumes(found["looking_glass"]);
+    printCameras(found);
     std::cout << "display profiles:\n";
     for (const Json& display : found["displays"])
         std::cout << "  " << text(display["name"]) << ": " << text(display["model"]) << '\n';

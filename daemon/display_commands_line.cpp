@@ -109,7 +109,10 @@ void addLook(CLI::App& app, LookOptions& options) {
 
 void addPattern(CLI::App& app, PatternOptions& options) {
     CLI::App* command = app.add_subcommand("pattern", "Calibration and test pictures");
-    command->add_option("name", options.name, "numbers, colors, lines, halves, ramps or views")
+    command
+        ->add_option("name", options.name,
+                     "numbers, colors, lines, halves, ramps, calibration-board, or "
+                     "calibration-fringes-1 to -3")
         ->required();
     addDisplay(*command, options.display);
     command->add_option("--output", options.output, "PNG of the panel")->required();
@@ -118,15 +121,24 @@ void addPattern(CLI::App& app, PatternOptions& options) {
 
 void addImport(CLI::App& app, ImportOptions& options) {
     CLI::App* command =
-        app.add_subcommand("import", "A vendor's calibration becomes a display file");
-    command->add_option("kind", options.kind, "looking-glass or cubevi")->required();
+        app.add_subcommand("import", "Another program's calibration becomes a display or rig file");
+    command
+        ->add_option("kind", options.kind,
+                     "Displays: looking-glass, cubevi; cameras: k4a, opencv, ros")
+        ->required();
     command->add_option("file", options.file, "e.g. LKG_calibration/visual.json")->required();
     command->add_option("--base", options.base,
                         "Shipped display that the file builds on (default: by serial and size)");
     command->add_option_function<std::string>(
         "--view-order", oneOf(options.order, kOrders, "--view-order"),
         "left_to_right or right_to_left, where depth looks inside out");
-    command->add_option("--output", options.output, "Display file, .toml")->required();
+    command->add_option("--output", options.output, "Display or rig file, .toml")->required();
+    command->add_option("--color", options.color, "Cameras: the colour camera's file, if apart");
+    command->add_option("--pose", options.pose, "Cameras: the file with R and T, if apart");
+    command->add_option("--depth-size", options.depthSize,
+                        "Cameras: depth pictures' size where the file does not say (k4a: 640x576)");
+    command->add_option("--color-size", options.colorSize, "Likewise of colour (k4a: 1280x720)");
+    command->add_flag("--millimetres", options.millimetres, "Cameras: translations are in mm");
     command->footer("Example: autostereo import looking-glass visual.json --output mine.toml");
 }
 

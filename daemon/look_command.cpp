@@ -1,6 +1,7 @@
 #include "calib/look.hpp"
 #include "daemon/commands.hpp"
 #include "daemon/log.hpp"
+#include "daemon/picture_files.hpp"
 #include "daemon/wiring.hpp"
 #include "devices/replay/image_files.hpp"
 
@@ -39,12 +40,7 @@ std::vector<std::uint8_t> readPanel(const std::filesystem::path& file,
         throw UsageError("--panel: " + file.string() + " is 16-bit grey (allowed 8-bit PNG)");
     std::vector<std::byte> pixels(header.bytes());
     reader.decode(pixels);
-    std::vector<std::uint8_t> rgb;
-    rgb.reserve(pixels.size() / 4 * 3);
-    for (std::size_t at = 0; at < pixels.size(); at += 4)
-        for (std::size_t c = 0; c < 3; ++c)
-            rgb.push_back(std::to_integer<std::uint8_t>(pixels[at + c]));
-    return rgb;
+    return withoutAlpha(pixels);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "config/load.hpp"
 #include "daemon/commands.hpp"
+#include "daemon/control_socket.hpp"
 #include "devices/input.hpp"
 #include "gpu/gl/error.hpp"
 
@@ -22,6 +23,7 @@ int perform(const daemon::CommandLine& command) {
     return std::visit(
         Overloaded{
             [](const daemon::RunOptions& options) { return daemon::run(options); },
+            [](const daemon::RecordOptions& options) { return daemon::record(options); },
             [](const daemon::RenderOptions& options) { return daemon::render(options); },
             [](const daemon::CheckOptions& options) { return daemon::check(options); },
             [](const daemon::DevicesOptions& options) { return daemon::listDevices(options); },
@@ -31,8 +33,21 @@ int perform(const daemon::CommandLine& command) {
             [](const daemon::PatternOptions& options) { return daemon::pattern(options); },
             [](const daemon::BenchOptions& options) { return daemon::benchmark(options); },
             [](const daemon::ImportOptions& options) { return daemon::importCalibration(options); },
+            [](const daemon::ControlOptions& options) { return daemon::control(options); },
             [](const daemon::CalibrateNoiseOptions& options) {
                 return daemon::calibrateNoise(options);
+            },
+            [](const daemon::CalibrateCamerasOptions& options) {
+                return daemon::calibrateCameras(options);
+            },
+            [](const daemon::CalibrateRigOptions& options) {
+                return daemon::calibrateRig(options);
+            },
+            [](const daemon::CalibrateTimingOptions& options) {
+                return daemon::calibrateTiming(options);
+            },
+            [](const daemon::CalibrateDisplayOptions& options) {
+                return daemon::calibrateDisplay(options);
             },
             [](const daemon::Information& information) {
                 std::cout << information.text;
@@ -51,6 +66,8 @@ int exitCodeOf(const std::exception& error) {
     if (const auto* device = dynamic_cast<const devices::DeviceError*>(&error))
         return device->notFound() ? NotFound : FailedRunning;
     if (dynamic_cast<const gpu::DisplayNotFound*>(&error) != nullptr) return NotFound;
+    if (const auto* control = dynamic_cast<const daemon::ControlError*>(&error))
+        return control->nobodyThere() ? NotFound : FailedRunning;
     return FailedRunning;
 }
 

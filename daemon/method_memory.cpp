@@ -4,22 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cstdio>
 #include <functional>
 
 namespace autostereo::daemon {
 
 namespace {
-
-constexpr std::array<std::pair<gpu::Method, const char*>, 7> kNames{
-    {{gpu::Method::Auto, "auto"},
-     {gpu::Method::Direct, "direct"},
-     {gpu::Method::Instanced, "instanced"},
-     {gpu::Method::Multipass, "multipass"},
-     {gpu::Method::Geometry, "geometry"},
-     {gpu::Method::Layered, "mrt"},
-     {gpu::Method::Hybrid, "hybrid"}}};
 
 /// A file name's worth of everything that the choice depends on.
 std::string keyOf(const gpu::PipelineParams& params, const calib::DisplayProfile& display,
@@ -31,19 +21,15 @@ std::string keyOf(const gpu::PipelineParams& params, const calib::DisplayProfile
         std::to_string(rig.depth.intrinsics.height) + '\n' + std::to_string(params.fusion.density) +
         '\n' + std::to_string(params.fusion.mostTexels) + '\n' +
         std::to_string(params.synthesis.leastDb) + '\n' +
-        std::to_string(params.synthesis.tileScale);
+        std::to_string(params.synthesis.tileScale) + '\n' +
+        std::to_string(params.synthesis.viewsPerPass) + '\n' +
+        std::to_string(params.synthesis.references);
     char hash[20];
     std::snprintf(hash, sizeof hash, "%016zx", std::hash<std::string>{}(all));
     return "method " + display.name.substr(0, 32) + " " + hash;
 }
 
 } // namespace
-
-std::string methodName(gpu::Method method) {
-    for (const auto& [known, name] : kNames)
-        if (known == method) return name;
-    return "auto";
-}
 
 MethodMemory::MethodMemory(const std::filesystem::path& folder, const gpu::PipelineParams& params,
                            const calib::DisplayProfile& display, int panelWidth, int panelHeight,
@@ -56,7 +42,7 @@ gpu::PipelineParams MethodMemory::apply(gpu::PipelineParams params) const {
     if (!text) return params;
     const auto kept = nlohmann::json::parse(*text, nullptr, false);
     if (!kept.is_object() || !kept.contains("method") || !kept["method"].is_string()) return params;
-    for (const auto& [method, name] : kNames)
+    for (const auto& [name, method] : gpu::kMethods)
         if (kept["method"].get<std::string>() == name) params.synthesis.method = method;
     return params;
 }
@@ -64,10 +50,10 @@ gpu::PipelineParams MethodMemory::apply(gpu::PipelineParams params) const {
 std::optional<std::string> MethodMemory::keep(const gpu::MethodChoice& choice) const {
     auto trials = nlohmann::json::array();
     for (const gpu::MethodTrial& trial : choice.trials)
-        trials.push_back({{"method", methodName(trial.method)},
+        trials.push_back({{"method", gpu::methodName(trial.method)},
                           {"ms", trial.milliseconds},
                           {"psnr_db", trial.psnrDb}});
-    const nlohmann::json text{{"method", methodName(choice.method)}, {"trials", trials}};
+    const nlohmann::json text{{"method", gpu::methodName(choice.method)}, {"trials", trials}};
     return files_.store(key_, text.dump(2) + '\n');
 }
 

@@ -8,9 +8,6 @@
 
 namespace autostereo::daemon {
 
-/// Name as in configurations: "direct", "mrt", ...
-[[nodiscard]] std::string methodName(gpu::Method method);
-
 /// What Method::Auto chose earlier, for this renderer, display, panel, depth camera and bound of
 /// error: trying all methods takes seconds. A file that cannot be read or kept costs that again.
 class MethodMemory {

@@ -19,4 +19,13 @@ void writeDepthPng(const std::filesystem::path& file, const gpu::DepthImage& ima
                              std::as_bytes(std::span(image.millimetres))});
 }
 
+std::vector<std::uint8_t> withoutAlpha(std::span<const std::byte> rgba) {
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(rgba.size() / 4 * 3);
+    for (std::size_t at = 0; at < rgba.size(); at += 4)
+        for (std::size_t c = 0; c < 3; ++c)
+            rgb.push_back(std::to_integer<std::uint8_t>(rgba[at + c]));
+    return rgb;
+}
+
 } // namespace autostereo::daemon

@@ -3,7 +3,11 @@
 #include "gpu/exports.hpp"
 #include "gpu/readback.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
+#include <vector>
 
 namespace autostereo::daemon {
 
@@ -11,5 +15,8 @@ namespace autostereo::daemon {
 void writePicturePng(const std::filesystem::path& file, const gpu::RgbImage& image);
 void writeFloatTiff(const std::filesystem::path& file, const gpu::FloatImage& image);
 void writeDepthPng(const std::filesystem::path& file, const gpu::DepthImage& image);
+
+/// R, G, B of what an ImageReader decoded as Rgba8.
+[[nodiscard]] std::vector<std::uint8_t> withoutAlpha(std::span<const std::byte> rgba);
 
 } // namespace autostereo::daemon

@@ -37,6 +37,14 @@ Json depthJson(const std::optional<Report::Depth>& depth) {
             {"clamped_share", numberOrNull(depth->clampedShare)}};
 }
 
+Json recordingJson(const std::optional<devices::Recorder::Counters>& recording) {
+    if (!recording) return nullptr;
+    return {{"written", recording->written},
+            {"left_out", recording->leftOut},
+            {"bytes", recording->bytes},
+            {"error", recording->error}};
+}
+
 Json toJson(const Report& report) {
     Json stages = Json::object();
     for (std::size_t i = 0; i < report.stageNames.size(); ++i)
@@ -59,6 +67,8 @@ Json toJson(const Report& report) {
         {"skipped", report.skipped},
         {"conditioner", conditioner},
         {"depth", depthJson(report.depth)},
+        {"recording", recordingJson(report.recording)},
+        {"search_kept_share", numberOrNull(report.keptShare)},
         {"stages", stages},
         {"gpu", {{"memory_mib", report.gpuMemoryMib}, {"objects", report.gpuObjects}}},
         {"latency_ms", report.latencyMs.at(0.5) ? percentilesJson(report.latencyMs, "p50", "p99")
@@ -99,10 +109,12 @@ std::string Report::summary() const {
     return line;
 }
 
+std::string reportText(const Report& report) { return toJson(report).dump(2); }
+
 void writeReport(const Report& report, const std::filesystem::path& file) {
     const std::filesystem::path partial = file.string() + ".part";
     std::ofstream out(partial);
-    out << toJson(report).dump(2) << '\n';
+    out << reportText(report) << '\n';
     out.close();
     if (!out || std::rename(partial.c_str(), file.c_str()) != 0) {
         const int cause = errno;

@@ -2,6 +2,7 @@
 
 #include "daemon/percentiles.hpp"
 #include "devices/feed.hpp"
+#include "devices/record/recorder.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -32,10 +33,12 @@ struct Report {
         double scale = 0;                   ///< relative to the natural one
         std::optional<double> clampedShare; ///< none: not followed, not measured
     };
-    std::optional<Depth> depth;  ///< none before the first frame
-    double gpuMemoryMib = 0;     ///< textures and buffers of all stages
-    std::int64_t gpuObjects = 0; ///< textures, buffers, programs, queries, ...
-    Percentiles latencyMs;       ///< mid-exposure to present; empty at --speed max
+    std::optional<Depth> depth;                           ///< none before the first frame
+    std::optional<devices::Recorder::Counters> recording; ///< none: nothing is recorded
+    std::optional<double> keptShare; ///< of the panel, not searched anew; none: not searched at all
+    double gpuMemoryMib = 0;         ///< textures and buffers of all stages
+    std::int64_t gpuObjects = 0;     ///< textures, buffers, programs, queries, ...
+    Percentiles latencyMs;           ///< mid-exposure to present; empty at --speed max
     double seconds = 0;
 
     [[nodiscard]] std::uint64_t skippedTotal() const;
@@ -43,7 +46,9 @@ struct Report {
     [[nodiscard]] std::string summary() const;
 };
 
-/// JSON, written beside the file and moved over it, so that a reader never sees half. Throws
+/// A JSON object, two spaces a level.
+[[nodiscard]] std::string reportText(const Report& report);
+/// The same, written beside the file and moved over it, so that a reader never sees half. Throws
 /// std::runtime_error.
 void writeReport(const Report& report, const std::filesystem::path& file);
 

@@ -13,14 +13,17 @@ build_packages=(
     libegl-dev libopengl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri libglfw3-dev
     libglm-dev libspdlog-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
     libpng-dev libturbojpeg0-dev libmatroska-dev libebml-dev libsystemd-dev
-    libdrm-dev libusb-1.0-0-dev
+    libdrm-dev libusb-1.0-0-dev libopenni2-dev
+    libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libopencv-contrib-dev
 )
-# What tests/ needs beyond that. OpenCV is a second opinion on the camera models.
+# What tests/ needs beyond that. OpenCV is a second opinion, too.
 test_packages=(
     libgtest-dev libgmock-dev libbenchmark-dev glslang-tools clang-format clang-tidy git
     clang libclang-rt-dev
+    ffmpeg mkvtoolnix
     xvfb xauth x11-utils x11-apps x11-xserver-utils libxcb-xfixes0-dev
-    libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libopencv-photo-dev
+    libopencv-photo-dev
+    linux-source make gcc flex bison bc xz-utils busybox
 )
 
 say() { printf '== %s\n' "$*"; }

@@ -1,11 +1,15 @@
 #include "daemon/wiring.hpp"
 
+#include "config/units.hpp"
 #include "daemon/find_display.hpp"
 #include "devices/display/link_state.hpp"
+#include "devices/join_inputs.hpp"
 #include "devices/live_feed.hpp"
 #include "devices/paced_source.hpp"
+#include "devices/record/recording_source.hpp"
 #include "devices/replay_feed.hpp"
 #include "devices/single_stream.hpp"
+#include "devices/uri.hpp"
 #include "gpu/gl/error.hpp"
 #include "gpu/offscreen_panel.hpp"
 #include "gpu/window_panel.hpp"
@@ -55,6 +59,7 @@ config::Config configuration(const SceneOptions& options) {
     config::Config config = configurationFile(options);
     if (options.input) config.input = *options.input;
     if (options.display) config.display = *options.display;
+    if (options.color) config.color = options.color;
     if (options.rig) config.rig = options.rig->string();
     return config;
 }
@@ -62,8 +67,10 @@ config::Config configuration(const SceneOptions& options) {
 gpu::PipelineParams pipelineParams(const config::Config& config, bool live) {
     gpu::PipelineParams params = config.pipeline;
     const bool open = !params.budget.focusM || !params.budget.depthScale;
-    params.budget.follow = open && (config.depthFollows == config::Following::Always ||
-                                    (live && config.depthFollows == config::Following::Live));
+    if (config.flat) params.budget.depthScale = 0;
+    params.budget.follow = open && !config.flat &&
+                           (config.depthFollows == config::Following::Always ||
+                            (live && config.depthFollows == config::Following::Live));
     return params;
 }
 
@@ -104,10 +111,12 @@ void warnOfPlaceholder(const calib::DisplayProfile& display) {
                      display.name);
 }
 
-devices::Input openScene(const config::Config& config) {
+devices::Input openScene(const config::Config& config, const Tap& tap) {
     std::optional<calib::SensorRig> rig;
     if (config.rig) rig = config::loadRig(*config.rig);
     devices::Input input = devices::openInput(config.input, rig);
+    if (config.color)
+        input = devices::joined(std::move(input), devices::openInput(*config.color, rig), rig);
     if (!input.rig) {
         input.rig = config::exampleRig();
         input.warnings.push_back("no calibration comes with " + config.input +
@@ -116,15 +125,52 @@ devices::Input openScene(const config::Config& config) {
     for (const std::string& warning : input.warnings)
         spdlog::warn("{}", warning);
     spdlog::info("input: {}", input.description);
+    if (tap) input = tap(std::move(input));
     return devices::completeStreams(std::move(input));
+}
+
+Tap Recording::tap(const config::Config& config) {
+    if (!file_) return {};
+    for (const std::string& input : {config.input, config.color.value_or(config.input)}) {
+        std::error_code none; // a file that is not there is no input
+        if (std::filesystem::equivalent(*file_, devices::parseUri(input).path, none))
+            throw UsageError("cannot record to " + file_->string() +
+                             ": it is the input itself, which would be lost; name another file");
+    }
+    return [this](devices::Input input) {
+        using WhenBehind = devices::Recorder::WhenBehind;
+        recorder_ = std::make_shared<devices::Recorder>(
+            *file_, input, speed_ == config::Speed::Max ? WhenBehind::Wait : WhenBehind::LeaveOut);
+        return devices::recorded(std::move(input), recorder_);
+    };
+}
+
+void Recording::finish() {
+    if (!recorder_) return;
+    recorder_->finish();
+    const devices::Recorder::Counters counters = recorder_->counters();
+    spdlog::info("recording: {}: {} pictures, {:.1f} MiB, {} left out", file_->string(),
+                 counters.written, static_cast<double>(counters.bytes) / (1024 * 1024),
+                 counters.leftOut);
+}
+
+std::optional<devices::Recorder::Counters> Recording::counters() const {
+    if (!recorder_) return std::nullopt;
+    return recorder_->counters();
 }
 
 std::unique_ptr<devices::Feed> openFeed(devices::Input input, const config::Config& config,
                                         config::Speed speed, bool loop, devices::Clock& clock) {
+    if (speed == config::Speed::Max && (input.depthIsLive || input.colorIsLive))
+        throw UsageError("--speed max: " + input.uri + " is live; only recordings can be hurried");
+    devices::SyncParams sync = config.sync;
+    if (input.rig)
+        sync.colorLate =
+            config::units::durationFromMs(config::units::msFromSeconds(input.rig->colorLateS));
     if (speed == config::Speed::Max)
-        return std::make_unique<devices::ReplayFeed>(std::move(input), config.sync, loop);
+        return std::make_unique<devices::ReplayFeed>(std::move(input), sync, loop);
     return std::make_unique<devices::LiveFeed>(devices::paced(std::move(input), clock, loop), clock,
-                                               config.sync, config.reconnect);
+                                               sync, config.reconnect);
 }
 
 config::Output chooseOutput(const config::Config& config) {

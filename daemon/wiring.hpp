@@ -4,8 +4,10 @@
 #include "daemon/command_line.hpp"
 #include "devices/feed.hpp"
 #include "devices/input.hpp"
+#include "devices/record/recorder.hpp"
 #include "gpu/panel.hpp"
 
+#include <functional>
 #include <memory>
 
 namespace autostereo::daemon {
@@ -30,8 +32,29 @@ struct ChosenDisplay {
 /// To the log, where the profile's numbers are not this unit's own.
 void warnOfPlaceholder(const calib::DisplayProfile& display);
 
-/// The input with both streams and a rig. Throws DeviceError, ConfigError.
-[[nodiscard]] devices::Input openScene(const config::Config& config);
+/// The input with both streams and a rig; `tap` gets it with the sensor's own streams only.
+/// Throws DeviceError, ConfigError.
+using Tap = std::function<devices::Input(devices::Input)>;
+[[nodiscard]] devices::Input openScene(const config::Config& config, const Tap& tap = {});
+
+/// What records a session's sensors, and what it came to.
+class Recording {
+  public:
+    /// Nothing is recorded without a file.
+    Recording(std::optional<std::filesystem::path> file, config::Speed speed)
+        : file_(std::move(file)), speed_(speed) {}
+    /// For the inputs of `config`, none of which may be the file itself. Throws UsageError.
+    [[nodiscard]] Tap tap(const config::Config& config);
+    /// Closes the file and logs what is in it. After the feed is gone.
+    void finish();
+    /// Nothing where nothing is recorded.
+    [[nodiscard]] std::optional<devices::Recorder::Counters> counters() const;
+
+  private:
+    std::optional<std::filesystem::path> file_;
+    config::Speed speed_;
+    std::shared_ptr<devices::Recorder> recorder_;
+};
 
 /// realtime: two sensor threads; max: every frame in order. `clock` must outlive the feed.
 [[nodiscard]] std::unique_ptr<devices::Feed> openFeed(devices::Input input,

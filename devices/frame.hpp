@@ -69,7 +69,9 @@ struct FrameMetadata {
     double depthUnitM = 0.001;  ///< metres per count, Depth16 only
     YuvMatrix matrix = YuvMatrix::Auto;
     YuvRange range = YuvRange::Auto;
-    bool hasAmplitude = false; ///< Depth16: a uint16 IR amplitude plane follows the depth
+    bool hasAmplitude = false;    ///< Depth16: a uint16 IR amplitude plane follows the depth
+    std::size_t encodedBytes = 0; ///< colour: of the JPEG that it came as, kept behind the pixels
+    bool encodedMirrored = false; ///< that JPEG's columns run the other way than the pixels'
 };
 
 /// One picture from one sensor, holding a lease on a slot of its source's FramePool.
@@ -113,6 +115,13 @@ class Frame {
     [[nodiscard]] std::span<std::byte> pixels() { return storage_.first(byteCount()); }
     [[nodiscard]] std::span<const std::uint16_t> depth() const { return plane16(0); }
     [[nodiscard]] std::span<std::uint16_t> depth() { return plane16(0); }
+    /// As the camera sent it, for recordings; empty where that is what `pixels` holds.
+    [[nodiscard]] std::span<const std::byte> encoded() const {
+        return storage_.subspan(byteCount(), metadata_.encodedBytes);
+    }
+    [[nodiscard]] std::span<std::byte> encoded() {
+        return storage_.subspan(byteCount(), metadata_.encodedBytes);
+    }
     /// Empty where the sensor has none.
     [[nodiscard]] std::span<const std::uint16_t> amplitude() const {
         return metadata_.hasAmplitude ? plane16(1) : std::span<std::uint16_t>{};

@@ -14,7 +14,8 @@ std::size_t bytesNeeded(const FrameMetadata& metadata) {
     const auto pixels =
         static_cast<std::size_t>(metadata.width) * static_cast<std::size_t>(metadata.height);
     const std::size_t amplitude = metadata.hasAmplitude ? sizeof(std::uint16_t) : 0;
-    return frameBytes(metadata.format, metadata.width, metadata.height) + pixels * amplitude;
+    return frameBytes(metadata.format, metadata.width, metadata.height) + pixels * amplitude +
+           metadata.encodedBytes;
 }
 
 } // namespace

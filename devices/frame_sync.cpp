@@ -52,6 +52,13 @@ StreamCounters FrameSync::Stream::counters() const {
     return counters;
 }
 
+Frame FrameSync::takeColor() {
+    if (color_.waiting.empty()) return {};
+    Frame newest = std::move(color_.waiting.back().frame);
+    color_.discardOldest(color_.waiting.size());
+    return newest;
+}
+
 void FrameSync::pushDepth(Frame frame, TimePoint arrivedAt) {
     flushed_ = false;
     depth_.push(std::move(frame), arrivedAt, kDepthKept);
@@ -59,6 +66,7 @@ void FrameSync::pushDepth(Frame frame, TimePoint arrivedAt) {
 
 void FrameSync::pushColor(Frame frame) {
     flushed_ = false;
+    frame.metadata().capturedAt -= params_.colorLate;
     color_.push(std::move(frame), {}, kColorKept);
 }
 
@@ -84,7 +92,7 @@ std::optional<RgbdFrame> FrameSync::decide(std::optional<TimePoint> now) {
 
 std::optional<std::size_t> FrameSync::nearestColor(TimePoint depthTime) const {
     std::optional<std::size_t> nearest;
-    Duration least = tolerance_;
+    Duration least = params_.tolerance;
     for (std::size_t i = 0; i < color_.waiting.size(); ++i) {
         const Duration distance = apart(color_.waiting[i].frame.metadata().capturedAt, depthTime);
         if (distance > least || (nearest && distance == least)) continue;
@@ -103,7 +111,8 @@ Duration FrameSync::grace(TimePoint depthTime, TimePoint partner) const {
     // Colour frames come `spacing` apart, with jitter at the very least half of it; if even that
     // one would lie farther off than the partner, there is nothing to wait for.
     if (apart(depthTime, partner) < color_.spacing / 4) return Duration{0};
-    return depth_.spacing.count() == 0 ? tolerance_ : std::min(depth_.spacing / 2, tolerance_);
+    return depth_.spacing.count() == 0 ? params_.tolerance
+                                       : std::min(depth_.spacing / 2, params_.tolerance);
 }
 
 std::optional<TimePoint> FrameSync::ripeAt() const {

@@ -21,7 +21,7 @@ class FrameSync {
     static constexpr std::size_t kDepthKept = 4;
     static constexpr std::size_t kColorKept = 4;
 
-    explicit FrameSync(SyncParams params) : tolerance_(params.tolerance) {}
+    explicit FrameSync(SyncParams params) : params_(params) {}
 
     /// `arrivedAt` is on the clock of `next(now)`, which need not be that of `capturedAt`.
     void pushDepth(Frame frame, TimePoint arrivedAt = {});
@@ -33,6 +33,9 @@ class FrameSync {
     [[nodiscard]] std::optional<RgbdFrame> next(TimePoint now) { return decide(now); }
     /// When `next(now)` will have a pair even though no further frame comes.
     [[nodiscard]] std::optional<TimePoint> ripeAt() const;
+
+    /// The newest colour frame that waits; it and those before count as unpaired. Empty: none.
+    [[nodiscard]] Frame takeColor();
 
     /// End of a recording: `next` settles everything that waits.
     void flush() { flushed_ = true; }
@@ -63,7 +66,7 @@ class FrameSync {
     [[nodiscard]] bool settled(TimePoint depthTime) const;
     [[nodiscard]] Duration grace(TimePoint depthTime, TimePoint partner) const;
 
-    Duration tolerance_;
+    SyncParams params_;
     Stream depth_;
     Stream color_;
     std::uint64_t pairs_ = 0;

@@ -29,6 +29,12 @@ class AddressError : public DeviceError {
     explicit AddressError(const std::string& what) : DeviceError(what) {}
 };
 
+/// How to open the two sensors again.
+struct Reopeners {
+    Reopen depth;
+    Reopen color;
+};
+
 /// An opened input URI: one source per stream, either may be absent (colour alone, depth alone).
 struct Input {
     std::string uri;
@@ -38,8 +44,13 @@ struct Input {
     /// The input's own calibration, if it has one; a missing camera of a single-stream input is
     /// filled in by `completeStreams`.
     std::optional<calib::SensorRig> rig;
+    /// calibration.json of an Azure Kinect, as its maker wrote it; empty: none.
+    std::vector<std::byte> factoryCalibration{};
     Duration startsAt{0};      ///< media time of the first frame of either stream
     Duration nominalPeriod{0}; ///< between frames, 0: unknown
+    Reopeners reopen;
+    bool depthIsLive = false; ///< stamped by a sensor, on the host's clock; else a recording
+    bool colorIsLive = false;
     std::vector<std::string> warnings;
 };
 

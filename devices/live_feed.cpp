@@ -23,12 +23,12 @@ void addUpstream(StreamCounters& stream, const FrameQueue<Frame>& queue,
 
 } // namespace
 
-LiveFeed::LiveFeed(Input input, Clock& clock, SyncParams sync, ReconnectParams reconnect,
-                   Reopeners reopeners)
-    : clock_(clock), sync_(sync), depth_("tof", std::move(input.depth), std::move(reopeners.depth),
-                                         depthQueue_, bell_, clock, reconnect),
-      color_("color", std::move(input.color), std::move(reopeners.color), colorQueue_, bell_, clock,
-             reconnect) {}
+LiveFeed::LiveFeed(Input input, Clock& clock, SyncParams sync, ReconnectParams reconnect)
+    : clock_(clock), sync_(sync),
+      depth_("tof", std::move(input.depth), std::move(input.reopen.depth), depthQueue_, bell_,
+             clock, reconnect),
+      color_("color", std::move(input.color), std::move(input.reopen.color), colorQueue_, bell_,
+             clock, reconnect) {}
 
 std::optional<RgbdFrame> LiveFeed::next(std::chrono::milliseconds wait) noexcept {
     const TimePoint deadline = clock_.now() + wait;
@@ -65,6 +65,8 @@ void LiveFeed::settle(std::optional<RgbdFrame>& newest) {
         newest = std::move(pair);
     }
 }
+
+SensorStatuses LiveFeed::sensors() const { return {depth_.status(), color_.status()}; }
 
 FeedCounters LiveFeed::counters() const noexcept {
     FeedCounters counters = sync_.counters();

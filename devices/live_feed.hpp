@@ -9,24 +9,19 @@
 
 namespace autostereo::devices {
 
-/// How to open the two sensors again; empty: a lost one is an end.
-struct Reopeners {
-    SourceThread::Reopen depth;
-    SourceThread::Reopen color;
-};
-
 /// The live feed: one thread per source, a queue behind each, and the pairing on the consumer's
 /// thread. Never lags: of several pairs that are ready `next` gives the newest and counts the
 /// others as dropped. Takes both sources of a complete input; recordings are to be `paced`. Frames
 /// that a queue dropped or for which a source had no room count as unpaired. Thread-bound.
 class LiveFeed final : public Feed {
   public:
-    LiveFeed(Input input, Clock& clock, SyncParams sync, ReconnectParams reconnect,
-             Reopeners reopeners = {});
+    LiveFeed(Input input, Clock& clock, SyncParams sync, ReconnectParams reconnect);
 
     [[nodiscard]] std::optional<RgbdFrame> next(std::chrono::milliseconds wait) noexcept override;
     [[nodiscard]] bool ended() const noexcept override { return ended_; }
     [[nodiscard]] FeedCounters counters() const noexcept override;
+    [[nodiscard]] SensorStatuses sensors() const override;
+    [[nodiscard]] Frame takeColor() noexcept override { return sync_.takeColor(); }
 
   private:
     [[nodiscard]] std::optional<RgbdFrame> newestPair(bool last);

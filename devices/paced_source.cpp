@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
+#include <vector>
 
 namespace autostereo::devices {
 
@@ -62,12 +63,14 @@ ReadResult PacedSource::nextRound(TimePoint deadline) {
 }
 
 Input paced(Input input, Clock& clock, bool loop) {
-    const int streams = (input.depth ? 1 : 0) + (input.color ? 1 : 0);
+    std::vector<std::unique_ptr<Source>*> recorded;
+    if (input.depth && !input.depthIsLive) recorded.push_back(&input.depth);
+    if (input.color && !input.colorIsLive) recorded.push_back(&input.color);
+    const int streams = static_cast<int>(recorded.size());
     const auto epoch =
         std::make_shared<PlaybackEpoch>(TimePoint(input.startsAt), input.nominalPeriod, streams);
-    for (std::unique_ptr<Source>* stream : {&input.depth, &input.color})
-        if (*stream)
-            *stream = std::make_unique<PacedSource>(std::move(*stream), epoch, clock, loop);
+    for (std::unique_ptr<Source>* stream : recorded)
+        *stream = std::make_unique<PacedSource>(std::move(*stream), epoch, clock, loop);
     return input;
 }
 

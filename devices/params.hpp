@@ -8,12 +8,14 @@ namespace autostereo::devices {
 struct SyncParams {
     /// A depth and a colour frame whose mid-exposures lie further apart are no pair.
     Duration tolerance = std::chrono::milliseconds(20);
+    /// The colour camera's stamps lie this far after the truth; taken off them.
+    Duration colorLate{0};
 };
 
 /// Reopening a sensor that went away.
 struct ReconnectParams {
     Duration firstDelay = std::chrono::milliseconds(200);
-    Duration longestDelay = std::chrono::seconds(5);
+    Duration longestDelay = std::chrono::milliseconds(500);
 };
 
 } // namespace autostereo::devices

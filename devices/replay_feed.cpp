@@ -76,6 +76,13 @@ bool ReplayFeed::startAgain() {
     return true;
 }
 
+SensorStatuses ReplayFeed::sensors() const {
+    const auto stateOf = [](const Stream& stream) {
+        return SensorStatus{stream.ended ? SensorState::Ended : SensorState::Streaming, {}, {}};
+    };
+    return {stateOf(depth_), stateOf(color_)};
+}
+
 FeedCounters ReplayFeed::counters() const noexcept {
     FeedCounters counters = sync_.counters();
     addUpstream(counters.depth, depth_);

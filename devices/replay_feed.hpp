@@ -20,6 +20,9 @@ class ReplayFeed final : public Feed {
     [[nodiscard]] std::optional<RgbdFrame> next(std::chrono::milliseconds wait) noexcept override;
     [[nodiscard]] bool ended() const noexcept override { return ended_; }
     [[nodiscard]] FeedCounters counters() const noexcept override;
+    /// Recordings know no time: a stream is there until it ends.
+    [[nodiscard]] SensorStatuses sensors() const override;
+    [[nodiscard]] Frame takeColor() noexcept override { return sync_.takeColor(); }
 
   private:
     struct Stream {

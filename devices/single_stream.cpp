@@ -85,11 +85,24 @@ TwinStream::Painter shadedGrey(const calib::CameraModel& camera) {
             }};
 }
 
-void split(std::unique_ptr<Source>& real, std::unique_ptr<Source>& missing,
-           TwinStream::Painter painter) {
-    const auto stream = std::make_shared<TwinStream>(std::move(real), std::move(painter));
-    real = std::make_unique<TwinSource>(stream, TwinStream::Real);
-    missing = std::make_unique<TwinSource>(stream, TwinStream::Companion);
+/// One stream of an input, in its three places.
+struct Slot {
+    std::unique_ptr<Source>& source;
+    Reopen& reopen;
+    bool& live;
+};
+
+void split(const Slot& real, const Slot& missing, TwinStream::Painter painter) {
+    const auto stream = std::make_shared<TwinStream>(std::move(real.source), std::move(painter),
+                                                     real.reopen != nullptr);
+    real.source = std::make_unique<TwinSource>(stream, TwinStream::Real);
+    missing.source = std::make_unique<TwinSource>(stream, TwinStream::Companion);
+    missing.live = real.live;
+    if (!real.reopen) return;
+    real.reopen = [stream, again = std::move(real.reopen)] {
+        stream->replace(again());
+        return std::make_unique<TwinSource>(stream, TwinStream::Real);
+    };
 }
 
 } // namespace
@@ -98,14 +111,16 @@ Input completeStreams(Input input) {
     if (input.depth && input.color) return input;
     if (!input.depth && !input.color)
         throw DeviceError(input.uri + ": cannot open the input: it has no stream to show");
+    const Slot depth{input.depth, input.reopen.depth, input.depthIsLive};
+    const Slot color{input.color, input.reopen.color, input.colorIsLive};
     if (input.color) {
-        const calib::CameraModel color = knownCamera(input, &calib::SensorRig::color, "colour");
-        input.rig->depth = flatCamera(color);
-        split(input.color, input.depth, flatDepth(input.rig->depth.intrinsics));
+        const calib::CameraModel camera = knownCamera(input, &calib::SensorRig::color, "colour");
+        input.rig->depth = flatCamera(camera);
+        split(color, depth, flatDepth(input.rig->depth.intrinsics));
     } else {
-        const calib::CameraModel depth = knownCamera(input, &calib::SensorRig::depth, "depth");
-        input.rig->color = depth;
-        split(input.depth, input.color, shadedGrey(depth));
+        const calib::CameraModel camera = knownCamera(input, &calib::SensorRig::depth, "depth");
+        input.rig->color = camera;
+        split(depth, color, shadedGrey(camera));
     }
     input.rig->colorFromDepth = calib::RigidTransform{};
     return input;

@@ -3,6 +3,8 @@
 #include "devices/frame.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <variant>
 
@@ -34,5 +36,8 @@ class Source {
     [[nodiscard]] virtual bool rewind() noexcept = 0;
     [[nodiscard]] virtual SourceCounters counters() const noexcept = 0;
 };
+
+/// Opens a sensor again; throws while it is not there. Empty: a lost sensor is an end.
+using Reopen = std::function<std::unique_ptr<Source>()>;
 
 } // namespace autostereo::devices

@@ -30,6 +30,18 @@ SourceThread::Counters SourceThread::counters() const noexcept {
             reconnects_.load(std::memory_order_acquire)};
 }
 
+SensorStatus SourceThread::status() const {
+    const std::scoped_lock lock(statusMutex_);
+    return status_;
+}
+
+void SourceThread::note(SensorState state, const std::string& reason) {
+    const std::scoped_lock lock(statusMutex_);
+    status_.state = state;
+    if (state == SensorState::Streaming) status_.lastFrame = clock_.now();
+    if (!reason.empty()) status_.reason = reason;
+}
+
 void SourceThread::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), name_.c_str());
     bool goOn = true;
@@ -38,6 +50,7 @@ void SourceThread::run(const std::stop_token& stop) {
         publish();
         goOn = handle(result, stop);
     }
+    note(SensorState::Ended);
     ended_.store(true, std::memory_order_release);
     bell_.ring();
 }
@@ -46,6 +59,7 @@ bool SourceThread::handle(ReadResult& result, const std::stop_token& stop) {
     if (auto* frame = std::get_if<Frame>(&result)) {
         queue_.push(std::move(*frame));
         bell_.ring();
+        note(SensorState::Streaming);
         delay_ = params_.firstDelay;
         return true;
     }
@@ -54,6 +68,7 @@ bool SourceThread::handle(ReadResult& result, const std::stop_token& stop) {
 }
 
 bool SourceThread::reconnect(const std::stop_token& stop, const std::string& reason) {
+    note(SensorState::Lost, reason);
     if (!reopen_) {
         spdlog::warn("{}: source lost and cannot be reopened: {}", name_, reason);
         return false;
@@ -73,6 +88,7 @@ bool SourceThread::reconnect(const std::stop_token& stop, const std::string& rea
             spdlog::debug("{}: still away: {}", name_, error.what());
         }
     }
+    note(SensorState::Starting);
     reconnects_.fetch_add(1, std::memory_order_release);
     spdlog::info("{}: sensor is back", name_);
     return true;

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "devices/doorbell.hpp"
+#include "devices/feed.hpp"
 #include "devices/frame_queue.hpp"
 #include "devices/params.hpp"
 #include "devices/source.hpp"
 
 #include <atomic>
-#include <functional>
 #include <memory>
+#include <mutex>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -21,7 +22,7 @@ namespace autostereo::devices {
 class SourceThread {
   public:
     /// Opens the sensor again; throws while it is not there. Empty: a lost sensor is an end.
-    using Reopen = std::function<std::unique_ptr<Source>()>;
+    using Reopen = devices::Reopen;
 
     struct Counters {
         std::uint64_t damaged = 0;
@@ -36,6 +37,8 @@ class SourceThread {
     /// No frame will be pushed any more.
     [[nodiscard]] bool ended() const noexcept { return ended_.load(std::memory_order_acquire); }
     [[nodiscard]] Counters counters() const noexcept;
+    /// On any thread.
+    [[nodiscard]] SensorStatus status() const;
 
   private:
     void run(const std::stop_token& stop);
@@ -43,6 +46,7 @@ class SourceThread {
     [[nodiscard]] bool reconnect(const std::stop_token& stop, const std::string& reason);
     void waitFor(Duration duration, const std::stop_token& stop);
     void publish();
+    void note(SensorState state, const std::string& reason = {});
 
     std::string name_;
     std::unique_ptr<Source> source_;
@@ -57,6 +61,8 @@ class SourceThread {
     std::atomic<std::uint64_t> starved_{0};
     std::atomic<std::uint64_t> reconnects_{0};
     std::atomic<bool> ended_{false};
+    mutable std::mutex statusMutex_;
+    SensorStatus status_;
     std::jthread thread_; // last: it uses all of the above
 };
 

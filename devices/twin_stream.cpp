@@ -12,17 +12,21 @@ constexpr std::size_t kMostWaiting = 4;
 
 } // namespace
 
-TwinStream::TwinStream(std::unique_ptr<Source> real, Painter painter)
-    : source_(std::move(real)), painter_(std::move(painter)) {}
+TwinStream::TwinStream(std::unique_ptr<Source> real, Painter painter, bool comesBack)
+    : source_(std::move(real)), comesBack_(comesBack), painter_(std::move(painter)) {}
 
 ReadResult TwinStream::read(Side side, TimePoint deadline) {
     std::unique_lock lock(mutex_);
     Reader& reader = readers_[side];
     if (reader.round != round_) return Ended{};
-    const auto somethingToDo = [&] { return !reader.waiting.empty() || ended_ || !reading_; };
+    const auto isToBeTold = [&] { return side == Real && lost_; };
+    const auto somethingToDo = [&] {
+        return !reader.waiting.empty() || ended_ || isToBeTold() || (!reading_ && source_);
+    };
     if (!changed_.wait_until(lock, deadline, somethingToDo)) return Timeout{};
     if (reader.waiting.empty()) {
         if (ended_) return Ended{};
+        if (isToBeTold()) return Disconnected{*std::exchange(lost_, std::nullopt)};
         ReadResult other = readBoth(deadline, lock);
         if (reader.waiting.empty()) return other;
     }
@@ -51,8 +55,21 @@ ReadResult TwinStream::readBoth(TimePoint deadline, std::unique_lock<std::mutex>
         keep(readers_[Real], std::move(*frame));
         result = Timeout{};
     }
+    if (const auto* gone = std::get_if<Disconnected>(&result); gone != nullptr && comesBack_) {
+        lost_ = gone->reason;
+        source_.reset(); // a device can be open only once
+        result = Timeout{};
+    }
     changed_.notify_all();
     return result;
+}
+
+void TwinStream::replace(std::unique_ptr<Source> real) {
+    const std::scoped_lock lock(mutex_);
+    source_ = std::move(real);
+    real_ = {};
+    readers_[Real].handedOut = readers_[Real].lost = 0;
+    changed_.notify_all();
 }
 
 void TwinStream::keep(Reader& reader, std::optional<Frame> frame) {
@@ -72,7 +89,7 @@ bool TwinStream::rewind(Side side) {
     changed_.wait(lock, [&] { return !reading_; });
     Reader& reader = readers_[side];
     if (reader.round == round_) {
-        if (!source_->rewind()) return false;
+        if (!source_ || !source_->rewind()) return false;
         for (Reader& each : readers_)
             each.waiting.clear();
         ++round_;

@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 
 namespace autostereo::devices {
 
@@ -28,12 +29,15 @@ class TwinStream {
         std::function<void(const Frame& real, Frame& companion)> paint;
     };
 
-    TwinStream(std::unique_ptr<Source> real, Painter painter);
+    /// `comesBack`: a lost real source is replaced; until then the companion waits.
+    TwinStream(std::unique_ptr<Source> real, Painter painter, bool comesBack = false);
 
     [[nodiscard]] ReadResult read(Side side, TimePoint deadline);
     /// The real source is rewound when the first of both sides asks.
     [[nodiscard]] bool rewind(Side side);
     [[nodiscard]] SourceCounters counters(Side side) const;
+    /// After the real side was told that the real source is gone; its counters start anew.
+    void replace(std::unique_ptr<Source> real);
 
   private:
     struct Reader {
@@ -48,7 +52,9 @@ class TwinStream {
 
     mutable std::mutex mutex_;
     std::condition_variable changed_;
-    std::unique_ptr<Source> source_; ///< used by the thread that has set `reading_`
+    std::unique_ptr<Source> source_;  ///< used by the thread that has set `reading_`; none: lost
+    std::optional<std::string> lost_; ///< why; the real side has yet to be told
+    bool comesBack_;
     Painter painter_;
     FramePool pool_{kFramesOnTheWay};
     std::array<Reader, 2> readers_;

@@ -2,6 +2,8 @@
 
 #include "gpu/gl/error.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace autostereo::gpu {
@@ -27,6 +29,12 @@ AtlasLayout atlasLayout(const calib::DisplayProfile& display, int panelWidth, in
         layout.quilt.tileWidth = panelWidth;
         layout.quilt.tileHeight = panelHeight;
     }
+    return layout;
+}
+
+AtlasLayout scaled(AtlasLayout layout, double scale) {
+    for (int* side : {&layout.quilt.tileWidth, &layout.quilt.tileHeight})
+        *side = std::max(1, static_cast<int>(std::lround(scale * *side)));
     return layout;
 }
 

@@ -21,6 +21,9 @@ struct AtlasLayout {
 [[nodiscard]] AtlasLayout atlasLayout(const calib::DisplayProfile& display, int panelWidth,
                                       int panelHeight);
 
+/// Tiles `scale` times as large each way.
+[[nodiscard]] AtlasLayout scaled(AtlasLayout layout, double scale);
+
 /// All views in one picture, with one depth buffer (de Sorbier 2010). Thread-bound.
 class Atlas {
   public:

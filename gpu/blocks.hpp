@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calib/disparity_law.hpp"
 #include "calib/phase_tables.hpp"
 
 #include <glm/mat4x4.hpp>
@@ -95,6 +96,12 @@ struct EyeBlock {
     glm::vec4 form{0};
 };
 static_assert(sizeof(EyeBlock) == 32);
+/// For mesh_eye.vert: an eye in display space, metres, and the picture's height over its width.
+[[nodiscard]] inline EyeBlock eyeBlock(const calib::DisplayProfile& display, const glm::dvec3& eye,
+                                       double aspect) {
+    return {glm::dvec4(eye, display.viewingDistanceM) / display.widthM,
+            glm::dvec4(calib::fanHalfWidth(display), aspect, 0, 0)};
+}
 
 /// shaders/edge_band.comp, fill_holes.comp and background_seeds.comp, binding 3.
 struct FillBlock {

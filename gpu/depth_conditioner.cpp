@@ -151,6 +151,14 @@ void DepthConditioner::fillHoles() {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
+std::uint64_t DepthConditioner::restsAfter() const {
+    // A mean residual of 16 bits that forgets in 16 frames (condition_hold) is nothing then.
+    constexpr int kResidualFrames = 192;
+    if (!params_.hold) return 1;
+    return static_cast<std::uint64_t>(params_.keepFrames + 2 * params_.settleFrames +
+                                      kResidualFrames);
+}
+
 void DepthConditioner::takeTally() {
     while (const auto counts = counters_.take()) {
         ++tally_.frames;

@@ -37,6 +37,8 @@ class DepthConditioner {
     void condition(const gl::Texture& depth, const gl::Texture* amplitude, double depthUnitM);
     [[nodiscard]] const gl::Texture& depth() const { return clean_; }
     [[nodiscard]] const Tally& tally() const { return tally_; }
+    /// So many like frames in a row, and one more changes nothing: what was before is forgotten.
+    [[nodiscard]] std::uint64_t restsAfter() const;
 
   private:
     void restart(const gl::Texture& depth, double depthUnitM);

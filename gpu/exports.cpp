@@ -51,9 +51,7 @@ RgbImage renderColor(const Shot& shot, const PipelineParams& params, const gl::P
 RgbImage renderEye(const Pipeline& pipeline, const PipelineParams& params,
                    const calib::DisplayProfile& display, glm::dvec3 eye, int width, int height) {
     const gl::Program program({"mesh_eye.vert", "mesh_view.frag"});
-    const EyeBlock block{glm::dvec4(eye, display.viewingDistanceM) / display.widthM,
-                         glm::dvec4(pipeline.geometry().law.fanHalfWidth,
-                                    static_cast<double>(height) / width, 0, 0)};
+    const EyeBlock block = eyeBlock(display, eye, static_cast<double>(height) / width);
     return renderColor({pipeline.scene(), pipeline.mesh().block()}, params, program, block,
                        Target(GL_RGBA8, width, height));
 }

@@ -5,8 +5,10 @@
 namespace autostereo::gpu {
 
 PanelPass::PanelPass(const std::string& fragmentShader, const std::vector<std::string>& defines,
-                     int width, int height)
-    : width_(width), height_(height), program_({"full_screen.vert", fragmentShader}, defines),
+                     int width, int height, Cover cover)
+    : width_(width), height_(height), cover_(cover),
+      program_({cover == Cover::Panel ? "full_screen.vert" : "stale_tiles.vert", fragmentShader},
+               defines),
       vertexArray_(gl::makeVertexArray()) {
     block_.panel = {width_, height_, 1, 1};
     block_.fine = {1.0F / static_cast<float>(width_), 1.0F / static_cast<float>(height_), 0.0F,
@@ -15,12 +17,15 @@ PanelPass::PanelPass(const std::string& fragmentShader, const std::vector<std::s
 
 void PanelPass::draw(const Atlas* atlas, GLuint framebuffer) {
     if (atlas != nullptr) useTiles(*atlas);
-    uniforms_.bind(2, block_);
+    bindBlock();
     program_.use();
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, width_, height_);
     glBindVertexArray(vertexArray_.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (cover_ == Cover::Panel)
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    else
+        glDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr);
 }
 
 void PanelPass::setSearch(const SearchParams& params) {

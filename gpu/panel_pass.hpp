@@ -12,6 +12,9 @@
 
 namespace autostereo::gpu {
 
+/// What a pass draws: all of the panel, or what KeptRoots lists.
+enum class Cover { Panel, StaleTiles };
+
 /// What every interleaver does alike: one triangle over the panel that reads the atlas' tiles, or
 /// searches the layers.
 /// Thread-bound.
@@ -19,11 +22,13 @@ class PanelPass {
   public:
     /// Throws GlError.
     PanelPass(const std::string& fragmentShader, const std::vector<std::string>& defines, int width,
-              int height);
+              int height, Cover cover = Cover::Panel);
 
     /// Set once, before drawing; the tiles' sizes are filled in per draw.
     InterleaverBlock& block() { return block_; }
     void setSearch(const SearchParams& params);
+    /// For compute shaders that ask about the panel.
+    void bindBlock() { uniforms_.bind(2, block_); }
     /// Textures beyond the atlas are bound by the caller; without one, all of them.
     void draw(const Atlas* atlas, GLuint framebuffer);
 
@@ -31,6 +36,7 @@ class PanelPass {
     void useTiles(const Atlas& atlas);
 
     int width_, height_;
+    Cover cover_;
     InterleaverBlock block_;
     gl::UniformBuffer<InterleaverBlock> uniforms_;
     gl::Program program_;

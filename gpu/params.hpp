@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace autostereo::gpu {
@@ -15,6 +17,20 @@ namespace autostereo::gpu {
 /// How the views come to the panel: searched for by each of its sub-pixels, or drawn into tiles.
 /// Auto: whichever is fastest here (views/method_choice.hpp).
 enum class Method { Auto, Direct, Instanced, Multipass, Geometry, Layered, Hybrid };
+/// As configurations, command lines and reports say them.
+inline constexpr std::array<std::pair<std::string_view, Method>, 7> kMethods{
+    {{"auto", Method::Auto},
+     {"direct", Method::Direct},
+     {"instanced", Method::Instanced},
+     {"multipass", Method::Multipass},
+     {"geometry", Method::Geometry},
+     {"mrt", Method::Layered},
+     {"hybrid", Method::Hybrid}}};
+[[nodiscard]] constexpr std::string_view methodName(Method method) {
+    for (const auto& [name, known] : kMethods)
+        if (known == method) return name;
+    return kMethods.front().first;
+}
 /// How a sub-pixel reads its tile.
 enum class TileFilter { Nearest, Linear };
 /// Eyes that the direct method shows: those of the display's views, or one for every phase.
@@ -110,10 +126,13 @@ struct SynthesisParams {
     TileFilter filter = TileFilter::Linear;
     ViewFilter views = ViewFilter::Nearest;
     ViewPositions positions = ViewPositions::Continuous;
-    double leastDb = 40;  ///< auto: PSNR against the exact panel, at least
-    double tileScale = 1; ///< of the display's tiles, each way (Kooima 2007's quality, squared)
-    int viewsPerPass = 0; ///< geometry, layered: 0: as many as the driver allows
-    int references = 3;   ///< hybrid: 2 to 5
+    bool keepRoots = true; ///< direct: search only where something changed
+    double leastDb = 40;   ///< auto: PSNR against the exact panel, at least
+    double tileScale = 1;  ///< of the display's tiles, each way (Kooima 2007's quality, squared)
+    int viewsPerPass = 0;  ///< geometry, layered: 0: as many as the driver allows
+    int references = 3;    ///< hybrid: 2 to 5
+    /// Two eyes that move, on displays that follow them: EyeSynthesis, whatever the method.
+    bool followEyes = false;
 };
 
 struct PipelineParams {

@@ -9,7 +9,7 @@ Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
     : params_(params), rig_(rig), display_(display), panelWidth_(panelWidth),
       panelHeight_(panelHeight), conditioner_(params.condition, params.mesh, rig.depth),
       mesh_(params.mesh, rig), fusion_(params, rig) {
-    if (params.synthesis.method != Method::Auto) makeViews();
+    if (params.synthesis.method != Method::Auto || params.synthesis.followEyes) makeViews();
     if (params.budget.follow) budget_.emplace(params.budget, display);
 }
 
@@ -38,6 +38,28 @@ void Pipeline::prepare(const devices::RgbdFrame& frame) {
 
 void Pipeline::makeViews() {
     views_ = makeViewSynthesis(params_, display_, panelWidth_, panelHeight_);
+    if (eyes_) views_->setEyes(*eyes_);
+}
+
+void Pipeline::setEyes(const calib::EyePair& eyes) {
+    eyes_ = eyes;
+    if (views_) views_->setEyes(eyes);
+}
+
+void Pipeline::adjust(const DepthBudgetParams& budget, Method method) {
+    params_.budget = budget;
+    budget_.reset();
+    if (budget.follow) budget_.emplace(budget, display_);
+    if (placed_) { // the frame stays: only depth moves
+        const double focus = budget.focusM.value_or(geometry_.law.focusM);
+        geometry_.law = calib::disparityLaw(display_, focus, geometry_.framing.width * focus,
+                                            budget.depthScale.value_or(1));
+    }
+    if (method == params_.synthesis.method) return;
+    params_.synthesis.method = method;
+    views_.reset();
+    choice_.reset();
+    if (method != Method::Auto || params_.synthesis.followEyes) makeViews();
 }
 
 void Pipeline::buildMesh(const devices::FrameMetadata& depth) {
@@ -49,6 +71,10 @@ void Pipeline::buildMesh(const devices::FrameMetadata& depth) {
 
 void Pipeline::render(const devices::RgbdFrame& frame, GLuint panel) {
     prepare(frame);
+    show(panel);
+}
+
+void Pipeline::show(GLuint panel) {
     timed(5, [&] { views_->show(scene(), panel); });
 }
 

@@ -33,13 +33,26 @@ class Pipeline {
     void render(const devices::RgbdFrame& frame, GLuint panel);
     /// All but filling the panel.
     void prepare(const devices::RgbdFrame& frame);
-    /// Whether a frame like the last one would give the same picture. May wait for the GPU.
-    [[nodiscard]] bool isStill() { return !budget_ || !budget_->moves(geometry_); }
+    /// Fills the panel with what was prepared last, anew. After `prepare`.
+    void show(GLuint panel);
+    /// Where the viewer's eyes are, from the next `show` on, where params.synthesis.followEyes.
+    void setEyes(const calib::EyePair& eyes);
+    /// Whether a frame like the last one, which came so many times in a row, would give the same
+    /// picture. May wait for the GPU.
+    [[nodiscard]] bool isStill(std::uint64_t times) {
+        return times >= conditioner_.restsAfter() && (!budget_ || !budget_->moves(geometry_));
+    }
+    /// From the next frame on: what the scene's place is, and how its views come to the panel.
+    /// Throws GlError.
+    void adjust(const DepthBudgetParams& budget, Method method);
     void onStageTime(StageTime receiver) { stageTime_ = std::move(receiver); }
 
     /// None where the method draws no views.
     [[nodiscard]] const Atlas* atlas() const { return views_ ? views_->atlas() : nullptr; }
     /// The method in use; Auto before the first frame.
+    [[nodiscard]] std::optional<double> keptShare() const {
+        return views_ ? views_->keptShare() : std::nullopt;
+    }
     [[nodiscard]] Method method() const { return params_.synthesis.method; }
     /// What Method::Auto chose when it saw the first frame; none with another method.
     [[nodiscard]] const std::optional<MethodChoice>& choice() const { return choice_; }
@@ -79,6 +92,7 @@ class Pipeline {
     std::optional<MethodChoice> choice_;
     std::array<gl::Timer, kStages.size()> timers_;
     StageTime stageTime_;
+    std::optional<calib::EyePair> eyes_;
 };
 
 } // namespace autostereo::gpu

@@ -59,13 +59,17 @@ std::optional<double> medianDepth(const devices::Frame& depth, const calib::Sens
 
 SceneGeometry sceneGeometry(const calib::SensorRig& rig, const calib::DisplayProfile& display,
                             const PipelineParams& params, double panelAspect, double focusM) {
-    const double overscan = std::max(-display.disparityFar, display.disparityNear);
+    constexpr double kFollowedReach = 3; // half spacings of eyes to each side: some 95 mm
+    const bool follows = params.synthesis.followEyes;
+    const double overscan =
+        std::max(-display.disparityFar, display.disparityNear) * (follows ? kFollowedReach : 1);
     SceneGeometry geometry;
     geometry.framing = calib::framePanel(rig, panelAspect, overscan, focusM, params.framing);
     geometry.law = calib::disparityLaw(display, focusM, geometry.framing.width * focusM,
                                        params.budget.depthScale.value_or(1));
     geometry.grid = calib::cyclopeanGrid(geometry.framing, rig.depth, params.fusion.density,
-                                         params.fusion.mostTexels, overscan, 0);
+                                         params.fusion.mostTexels, overscan,
+                                         follows ? overscan * panelAspect : 0);
     geometry.cutM = params.backdrop.cutM;
     return geometry;
 }

@@ -21,6 +21,7 @@ std::vector<std::string> variant(const calib::ViewMap& map, const InterleaverPar
     if (params.filter == TileFilter::Nearest) defines.emplace_back("NEAREST");
     if (params.views == ViewFilter::Blend) defines.emplace_back("BLEND");
     if (params.search) defines.emplace_back("SEARCH");
+    if (params.search && params.search->rootsOnly) defines.emplace_back("ROOTS");
     if (params.search && params.search->continuous) defines.emplace_back("CONTINUOUS");
     return defines;
 }
@@ -28,7 +29,8 @@ std::vector<std::string> variant(const calib::ViewMap& map, const InterleaverPar
 } // namespace
 
 ViewInterleaver::ViewInterleaver(const calib::ViewMap& map, const InterleaverParams& params)
-    : pass_("view_interleaver.frag", variant(map, params), map.tables.width, map.tables.height),
+    : pass_("view_interleaver.frag", variant(map, params), map.tables.width, map.tables.height,
+            params.search && params.search->rootsOnly ? Cover::StaleTiles : Cover::Panel),
       grid_(map.tables.grid) {
     const calib::PhaseTables& tables = map.tables;
     pass_.block().fan.x = map.views;

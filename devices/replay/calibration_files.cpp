@@ -138,10 +138,14 @@ calib::SensorRig CameraFile::rig() const {
 }
 
 CameraFile readCameraFile(const std::filesystem::path& path) {
-    const json text = parse(readFile(path, kLargestFile), path.string());
-    const Node root{text, path.string() + ": "};
+    return readCameraFile(readFile(path, kLargestFile), path.string());
+}
+
+CameraFile readCameraFile(std::span<const std::byte> bytes, const std::string& name) {
+    const json text = parse(bytes, name);
+    const Node root{text, name + ": "};
     CameraFile file;
-    file.name = path.string();
+    file.name = name;
     if (root.has("intrinsic_matrix")) {
         file.color = open3dCamera(root);
         return file;
@@ -160,6 +164,33 @@ CameraFile readCameraFile(const std::filesystem::path& path) {
             transformFrom(pose.numbers("R_rowmajor", 9, 9), pose.numbers("t_m", 3, 3), pose);
     }
     return file;
+}
+
+namespace {
+
+json nodeOf(const calib::CameraModel& camera) {
+    const calib::Intrinsics& i = camera.intrinsics;
+    const calib::Distortion& d = camera.distortion;
+    json node{{"width", i.width}, {"height", i.height}, {"fx", i.fx},
+              {"fy", i.fy},       {"cx", i.cx},         {"cy", i.cy}};
+    node["distortion_k1k2p1p2k3k4k5k6"] = {d.k1, d.k2, d.p1, d.p2, d.k3, d.k4, d.k5, d.k6};
+    if (std::isfinite(d.metricRadius)) node["metric_radius"] = d.metricRadius;
+    return node;
+}
+
+} // namespace
+
+std::string cameraFile(const calib::SensorRig& rig) {
+    const calib::RigidTransform& pose = rig.colorFromDepth;
+    std::vector<double> rows;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            rows.push_back(pose.rotation[column][row]);
+    const glm::dvec3& t = pose.translation;
+    const json file{{"depth", nodeOf(rig.depth)},
+                    {"color", nodeOf(rig.color)},
+                    {"depth_to_color", {{"R_rowmajor", rows}, {"t_m", {t.x, t.y, t.z}}}}};
+    return file.dump(2) + '\n';
 }
 
 namespace {

@@ -28,6 +28,10 @@ struct CameraFile {
 /// R_rowmajor and t_m. Or Open3D's file: width, height, intrinsic_matrix (column by column), one
 /// camera for both pictures. Throws DeviceError as `file: key: what is wrong (allowed ...)`.
 [[nodiscard]] CameraFile readCameraFile(const std::filesystem::path& path);
+/// The same from memory, `name` being the file.
+[[nodiscard]] CameraFile readCameraFile(std::span<const std::byte> json, const std::string& name);
+/// Both cameras as a camera.json, without loss.
+[[nodiscard]] std::string cameraFile(const calib::SensorRig& rig);
 
 /// The factory calibration of an Azure Kinect (JSON) for the modes with these picture sizes, which
 /// name a depth mode and a colour resolution uniquely. A 0x0 size: that stream is not there, its

@@ -13,6 +13,8 @@ namespace autostereo::devices {
 
 namespace {
 
+constexpr const char* kFactoryFile = "calibration.json";
+
 const MatroskaTrack* trackNamed(const MatroskaInfo& info, std::string_view name) {
     const auto found = std::find_if(info.tracks.begin(), info.tracks.end(),
                                     [&](const MatroskaTrack& t) { return t.name == name; });
@@ -36,6 +38,14 @@ std::string tagOr(const MatroskaInfo& info, const char* name, const std::string&
     return found == info.tags.end() ? fallback : found->second;
 }
 
+double depthUnit(const MatroskaInfo& info) {
+    constexpr double kMillimetre = 0.001;
+    const std::string text = tagOr(info, kDepthUnitTag, "");
+    double unit = 0;
+    std::from_chars(text.data(), text.data() + text.size(), unit);
+    return unit > 1e-6 && unit <= 1 ? unit : kMillimetre;
+}
+
 Duration startOffset(const MatroskaInfo& info) {
     constexpr std::int64_t kLongest = 366LL * 24 * 3600 * 1'000'000'000;
     const std::string text = tagOr(info, "K4A_START_OFFSET_NS", "0");
@@ -57,6 +67,7 @@ class Opener {
         if (depth != nullptr) openDepth(*depth);
         if (color != nullptr) openColor(*color);
         input_.rig = rig ? *rig : calibration(depth, color);
+        input_.factoryCalibration = attached(tagOr(info_, "K4A_CALIBRATION_FILE", kFactoryFile));
         if (depth != nullptr) checkSize(*depth, input_.rig->depth);
         if (color != nullptr) checkSize(*color, input_.rig->color);
         input_.startsAt = startsAt_ == Duration::max() ? Duration{0} : startsAt_;
@@ -99,7 +110,8 @@ class Opener {
         if (track.width < 1 || track.height < 1 || track.width % 2 != 0 || track.height % 2 != 0)
             fail(track.name + " track has a size of " + sizeOf(track).text() +
                  " (allowed even, 2 to 16384)");
-        KinectTrack result{path_, info_, track.number, sizeOf(track), startOffset(info_)};
+        KinectTrack result{path_,           info_, track.number, sizeOf(track), startOffset(info_),
+                           depthUnit(info_)};
         input_.description += ", " + sizeOf(track).text() + " " + what;
         input_.nominalPeriod = std::max(input_.nominalPeriod, track.period);
         MatroskaBlocks blocks(path_, info_, track.number);
@@ -117,14 +129,22 @@ class Opener {
 
     [[nodiscard]] calib::SensorRig calibration(const MatroskaTrack* depth,
                                                const MatroskaTrack* color) const {
-        const std::string name = tagOr(info_, "K4A_CALIBRATION_FILE", "calibration.json");
-        const auto found = info_.attachments.find(name);
-        if (found == info_.attachments.end()) fail("no " + name + " attached (use --rig)");
+        const std::string own = tagOr(info_, kCameraFileTag, "");
+        if (const auto file = attached(own); !file.empty())
+            return readCameraFile(file, path_.string() + ": " + own).rig();
+        const std::string name = tagOr(info_, "K4A_CALIBRATION_FILE", kFactoryFile);
+        const auto factory = attached(name);
+        if (factory.empty()) fail("no " + name + " attached (use --rig)");
         const auto size = [](const MatroskaTrack* track) {
             return track == nullptr ? PictureSize{} : sizeOf(*track);
         };
-        return readKinectCalibration(found->second, path_.string() + ": " + name, size(depth),
+        return readKinectCalibration(factory, path_.string() + ": " + name, size(depth),
                                      size(color));
+    }
+
+    [[nodiscard]] std::vector<std::byte> attached(const std::string& name) const {
+        const auto found = info_.attachments.find(name);
+        return found == info_.attachments.end() ? std::vector<std::byte>{} : found->second;
     }
 
     std::filesystem::path path_;

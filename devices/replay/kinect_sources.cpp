@@ -58,7 +58,7 @@ SourceCounters total(const RecordedStream& stream, const MatroskaBlocks& blocks)
 KinectDepthSource::KinectDepthSource(const KinectTrack& depth,
                                      std::optional<unsigned> infraredTrack)
     : track_(depth), blocks_(depth.path, depth.info, depth.number),
-      stream_(PixelFormat::Depth16, depth.size) {
+      stream_(PixelFormat::Depth16, depth.size, depth.depthUnitM) {
     if (infraredTrack) infraredBlocks_.emplace(depth.path, depth.info, *infraredTrack);
 }
 
@@ -107,8 +107,11 @@ KinectColorSource::KinectColorSource(const KinectTrack& color, KinectColorFormat
 std::optional<Frame> KinectColorSource::convertJpeg(const MatroskaBlock& block) {
     const std::uint64_t sequence = sequence_++;
     const ImageHeader header = jpeg_.open(block.payload);
-    auto frame = stream_.slot(header.size(), sequence, TimePoint{block.time + track_.startOffset});
-    if (frame) jpeg_.decode(frame->pixels());
+    auto frame = stream_.slot(header.size(), sequence, TimePoint{block.time + track_.startOffset},
+                              false, block.payload.size());
+    if (!frame) return std::nullopt;
+    jpeg_.decode(frame->pixels());
+    std::ranges::copy(block.payload, frame->encoded().begin());
     return frame;
 }
 

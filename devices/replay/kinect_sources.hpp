@@ -17,6 +17,7 @@ struct KinectTrack {
     unsigned number = 0;
     PictureSize size;
     Duration startOffset{0}; ///< added to every block's time
+    double depthUnitM = 0.001;
 };
 
 /// Depth (b16g: big-endian uint16, millimetres), with the IR picture of the same time as amplitude

@@ -1,5 +1,6 @@
 #include "devices/replay/picture_input.hpp"
 
+#include "devices/nominal_camera.hpp"
 #include <algorithm>
 #include <array>
 #include <exception>
@@ -23,24 +24,14 @@ PictureSize sizeOf(const std::vector<Picture>& pictures) {
     return {};
 }
 
-/// 63 degrees from left to right, what the RGB-D cameras of the PrimeSense family see.
-calib::CameraModel nominalCamera(PictureSize size) {
-    constexpr double kFocalPerWidth = 0.82;
-    calib::CameraModel camera;
-    camera.intrinsics = {size.width,
-                         size.height,
-                         kFocalPerWidth * size.width,
-                         kFocalPerWidth * size.width,
-                         (size.width - 1) / 2.0,
-                         (size.height - 1) / 2.0};
-    return camera;
-}
-
 std::optional<calib::SensorRig> nominalRig(PictureSize depth, PictureSize color) {
     if (depth == PictureSize{}) depth = color;
     if (color == PictureSize{}) color = depth;
     if (depth == PictureSize{}) return std::nullopt; // nothing readable: no size to go by
-    return calib::SensorRig{nominalCamera(depth), nominalCamera(color), {}, "nominal"};
+    return calib::SensorRig{nominalCamera(depth.width, depth.height),
+                            nominalCamera(color.width, color.height),
+                            {},
+                            "nominal"};
 }
 
 /// A file with one camera is read as "registered": the other picture may have another size.

@@ -8,7 +8,8 @@ RecordedStream::RecordedStream(PixelFormat format, PictureSize size, double dept
     : format_(format), size_(size), depthUnitM_(depthUnitM) {}
 
 std::optional<Frame> RecordedStream::slot(PictureSize size, std::uint64_t sequence,
-                                          TimePoint capturedAt, bool amplitude) {
+                                          TimePoint capturedAt, bool amplitude,
+                                          std::size_t encodedBytes) {
     if (size_ == PictureSize{}) size_ = size;
     if (size != size_) {
         ++counters_.damaged;
@@ -22,6 +23,7 @@ std::optional<Frame> RecordedStream::slot(PictureSize size, std::uint64_t sequen
     metadata.capturedAt = capturedAt;
     metadata.depthUnitM = depthUnitM_;
     metadata.hasAmplitude = amplitude;
+    metadata.encodedBytes = encodedBytes;
     auto frame = pool_.acquire(metadata);
     if (!frame) ++counters_.starved;
     return frame;

@@ -18,7 +18,8 @@ class RecordedStream {
     /// A slot for picture `sequence`; nothing where the size is wrong (damaged) or all slots are
     /// in use (starved).
     [[nodiscard]] std::optional<Frame> slot(PictureSize size, std::uint64_t sequence,
-                                            TimePoint capturedAt, bool amplitude = false);
+                                            TimePoint capturedAt, bool amplitude = false,
+                                            std::size_t encodedBytes = 0);
     void countDamaged(std::uint64_t pictures = 1) { counters_.damaged += pictures; }
     [[nodiscard]] ReadResult deliver(Frame&& frame);
     [[nodiscard]] SourceCounters counters() const { return counters_; }

@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -23,6 +24,15 @@ void writeWhole(const std::filesystem::path& path, std::string_view bytes, std::
     std::filesystem::remove(temporary, ignored);
     throw std::runtime_error(std::string(who) + "cannot write " + path.string() + ": " +
                              error.message());
+}
+
+void replaceKeepingOld(const std::filesystem::path& path, std::string_view bytes,
+                       std::string_view who) {
+    if (std::ifstream old(path, std::ios::binary); old) {
+        const std::string kept{std::istreambuf_iterator<char>(old), {}};
+        writeWhole(path.string() + ".old", kept, who);
+    }
+    writeWhole(path, bytes, who);
 }
 
 } // namespace autostereo::devices

@@ -10,4 +10,9 @@ namespace autostereo::devices {
 void writeWhole(const std::filesystem::path& path, std::string_view bytes,
                 std::string_view who = "");
 
+/// The same; what was there before is kept as `path`.old. Killed at any moment it leaves either the
+/// old file or the new one.
+void replaceKeepingOld(const std::filesystem::path& path, std::string_view bytes,
+                       std::string_view who = "");
+
 } // namespace autostereo::devices

@@ -25,6 +25,7 @@ ReadResult SimulatedSource::read(TimePoint) noexcept {
         return Timeout{};
     }
     camera_->expose(*frame);
+    frame->metadata().capturedAt += timing_.stampedLate;
     ++counters_.delivered;
     return std::move(*frame);
 }

@@ -15,6 +15,7 @@ struct FrameTiming {
     double fps = 30;
     Duration offset{0};
     std::optional<std::uint64_t> frames; ///< then Ended; none: for ever
+    Duration stampedLate{0};             ///< a clock that is off
 
     [[nodiscard]] TimePoint at(std::uint64_t frame) const;
 };

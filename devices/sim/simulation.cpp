@@ -6,6 +6,7 @@
 #include "devices/sim/hash.hpp"
 #include "devices/sim/person.hpp"
 #include "devices/sim/placement.hpp"
+#include "devices/sim/plugged_source.hpp"
 #include "devices/sim/room.hpp"
 #include "devices/sim/simulated_source.hpp"
 #include "devices/uri.hpp"
@@ -68,6 +69,24 @@ calib::CameraModel centred(Size size, double focal, const calib::Distortion& dis
             distortion};
 }
 
+/// Cameras on cables: there while FOLDER/depth and FOLDER/color are.
+void plugIn(Input& input, const std::filesystem::path& folder, const Reopen& depth,
+            const Reopen& color) {
+    static SteadyClock clock;
+    const Duration period = input.nominalPeriod;
+    input.reopen.depth = [=] {
+        return std::make_unique<PluggedSource>(folder / "depth", depth(), period, Duration{0},
+                                               clock);
+    };
+    input.reopen.color = [=] {
+        return std::make_unique<PluggedSource>(folder / "color", color(), period, kColorOffset,
+                                               clock);
+    };
+    input.depth = input.reopen.depth();
+    input.color = input.reopen.color();
+    input.depthIsLive = input.colorIsLive = true;
+}
+
 } // namespace
 
 std::unique_ptr<Scene> makeScene(const std::string& name, std::uint64_t seed) {
@@ -102,7 +121,7 @@ calib::SensorRig simulatedRig(int depthWidth, int depthHeight, int colorWidth, i
 
 Input openSimulation(const std::string& text) {
     const Uri uri = parseUri(text);
-    uri.allowOnly({"seed", "fps", "depth", "color", "noise", "frames"});
+    uri.allowOnly({"seed", "fps", "depth", "color", "noise", "frames", "plug", "color_late_ms"});
     constexpr double kMostFrames = 1e12, kMostSeed = 1e15;
     const auto seed = static_cast<std::uint64_t>(uri.number("seed", 1, 0, kMostSeed));
     const double fps = uri.number("fps", 30, 1, 240);
@@ -121,15 +140,30 @@ Input openSimulation(const std::string& text) {
     input.description = describe(uri.path, depth, color, fps);
     input.rig = rig;
     input.nominalPeriod = timing.at(1).time_since_epoch();
-    input.depth = std::make_unique<SimulatedSource>(
-        std::make_unique<DepthCamera>(scene, rig.depth, rig.colorFromDepth, hashBits(seed, 1),
-                                      noise),
-        timing);
-    timing.offset = kColorOffset;
-    input.color = std::make_unique<SimulatedSource>(
-        std::make_unique<ColorCamera>(scene, rig.color, calib::RigidTransform{}, hashBits(seed, 2),
-                                      noise),
-        timing);
+    const Reopen depthCamera = [=] {
+        return std::make_unique<SimulatedSource>(
+            std::make_unique<DepthCamera>(scene, rig.depth, rig.colorFromDepth, hashBits(seed, 1),
+                                          noise),
+            timing);
+    };
+    FrameTiming later = timing;
+    later.offset = kColorOffset;
+    constexpr double kLatestMs = 100;
+    later.stampedLate =
+        std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(
+            uri.number("color_late_ms", 0, -kLatestMs, kLatestMs)));
+    const Reopen colorCamera = [=] {
+        return std::make_unique<SimulatedSource>(
+            std::make_unique<ColorCamera>(scene, rig.color, calib::RigidTransform{},
+                                          hashBits(seed, 2), noise),
+            later);
+    };
+    if (const std::string folder = uri.value("plug"); !folder.empty()) {
+        plugIn(input, folder, depthCamera, colorCamera);
+        return input;
+    }
+    input.depth = depthCamera();
+    input.color = colorCamera();
     return input;
 }
 

@@ -22,7 +22,8 @@ namespace autostereo::devices::sim {
 
 /// Opens `sim:NAME?seed=1&fps=30&depth=320x288&color=1280x720&noise=on&frames=N` (the values
 /// shown are the defaults; without `frames` it never ends). Depth frames are taken at k / fps,
-/// colour frames 4 ms later. Throws DeviceError on an unknown name, key or value.
+/// colour frames 4 ms later, and with `color_late_ms=M` stamped M ms after that. Throws DeviceError
+/// on an unknown name, key or value.
 [[nodiscard]] Input openSimulation(const std::string& uri);
 
 } // namespace autostereo::devices::sim

@@ -20,7 +20,8 @@ void main() {
     float height = point.z * eye.w / (form.x + point.z); // from d = Bx Z / (D - Z)
     vec2 cyclopean = (point.xy - 0.5) * vec2(1.0, form.y);
     vec2 place = cyclopean * (eye.w - height) / eye.w;
-    vec2 seen = eye.xy + (place - eye.xy) * eye.z / (eye.z - height);
+    // What reaches the eye or lies behind it is drawn as large as can be.
+    vec2 seen = eye.xy + (place - eye.xy) * eye.z / max(eye.z - height, 0.02 * eye.z);
     float key = range.y + range.z * (1.0 - range.x / max(z, range.x));
     gl_Position = vec4(2.0 * seen / vec2(1.0, form.y) * z, key * z, z);
 }

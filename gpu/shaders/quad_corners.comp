@@ -1,6 +1,6 @@
 #version 450 core
 // Both layers for the search: disparity at the corners of each texel's quad, scene above, background
-// below it.
+// below it; and which blocks are not as they were.
 #include "mesh_block.glsl"
 #include "camera.glsl"
 #include "disparity.glsl"
@@ -12,7 +12,8 @@ layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(binding = 0) uniform sampler2D filled;
 layout(binding = 1) uniform sampler2D background;
-layout(rgba32f, binding = 0) uniform writeonly image2D quads; // top left, right, bottom left, right
+layout(rgba32f, binding = 0) uniform image2D quads; // top left, right, bottom left, right
+layout(r8ui, binding = 1) uniform writeonly uimage2D changed;
 
 vec4 sceneCorners(ivec2 texel, float own) {
     if (own == 0.0 || isBackdrop(own)) return vec4(kNoSurface);
@@ -29,10 +30,16 @@ vec4 backgroundCorners(ivec2 texel) {
                 cornerOf(background, texel + 1, 0.0, true).disparity);
 }
 
+void keep(ivec2 place, vec4 corners) {
+    if (imageLoad(quads, place) == corners) return;
+    imageStore(quads, place, corners);
+    imageStore(changed, ivec2(place.x / kBlock, place.y), uvec4(1u));
+}
+
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = textureSize(filled, 0);
     if (any(greaterThanEqual(texel, size))) return;
-    imageStore(quads, texel, sceneCorners(texel, texelFetch(filled, texel, 0).x));
-    imageStore(quads, texel + ivec2(0, size.y), backgroundCorners(texel));
+    keep(texel, sceneCorners(texel, texelFetch(filled, texel, 0).x));
+    keep(texel + ivec2(0, size.y), backgroundCorners(texel));
 }

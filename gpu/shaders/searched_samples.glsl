@@ -5,6 +5,7 @@
 #include "cyclopean_grid.glsl"
 #include "layer_search.glsl"
 #include "first_hit.glsl"
+#include "root.glsl"
 
 layout(binding = 11) uniform sampler2D colors[2];     // the scene's picture, the background's
 layout(binding = 10) uniform sampler2D viewPositions; // b of each view, left to right
@@ -51,7 +52,33 @@ vec2 sourceOf(Place place, int layer, float hit) {
     return layer == 0 ? source : vec2(hit * place.background.x, place.background.y);
 }
 
-// One channel as an eye at position b sees it.
+// What an eye at position b sees there.
+uint findRoot(float b, Place place, int channel) {
+    float x = place.texel + float(channel - 1) * place.texelsPerChannel;
+    float reach = b * place.texelsPerWidth;
+    uint root = kBlackRoot;
+    for (int layer = 0; layer < 2; ++layer) {
+        float hit = firstHit(place.row, layer, x, reach);
+        if (hit < 0.0 && layer == 0) continue;
+        root = rootOf(hit * place.background.x, layer);
+        break;
+    }
+    return root;
+}
+
+// One channel of it. A loop that ends as soon as the layer is the right one for all: where the GPU is
+// a CPU, both sides of a branch cost.
+float sampleRoot(uint root, Place place, int channel) {
+    float hit = shareOf(root) * float(place.row.lastColumn + 1);
+    float value = 0.0;
+    for (int layer = 0; layer < 2; ++layer) {
+        value = textureLod(colors[layer], sourceOf(place, layer, hit), 0.0)[channel];
+        if (layer == layerOf(root)) break;
+    }
+    return root == kBlackRoot ? 0.0 : value;
+}
+
+// Both at once and without rounding: for two tracked eyes a quarter quicker than one after the other.
 float sampleEye(float b, Place place, int channel) {
     float x = place.texel + float(channel - 1) * place.texelsPerChannel;
     float reach = b * place.texelsPerWidth;
@@ -65,8 +92,10 @@ float sampleEye(float b, Place place, int channel) {
     return value;
 }
 
+float positionOf(int view) { return texelFetch(viewPositions, ivec2(view, 0), 0).x; }
+
 float samplePlace(int view, Place place, int channel) {
-    return sampleEye(texelFetch(viewPositions, ivec2(view, 0), 0).x, place, channel);
+    return sampleEye(positionOf(view), place, channel);
 }
 
 // At a share of the view's width and height.

@@ -19,7 +19,11 @@ layout(binding = 6) uniform usampler2D remap; // view from the left of each vend
 const uint kBlack = 0xffffu;
 #endif
 
+#ifdef ROOTS
+layout(location = 0) out uvec2 roots; // for kept_roots.frag
+#else
 layout(location = 0) out vec4 color;
+#endif
 
 // From the top left.
 uvec3 phasesAt(ivec2 place) {
@@ -32,14 +36,36 @@ uvec3 phasesAt(ivec2 place) {
 #endif
 }
 
-float show(uint vendor, Place place, int channel) {
+uint viewOf(uint vendor) {
 #ifdef REMAP
-    uint view = texelFetch(remap, ivec2(vendor, 0), 0).x;
-    if (view == kBlack) return 0.0;
+    return texelFetch(remap, ivec2(vendor, 0), 0).x;
 #elif defined(REVERSED)
-    uint view = fan.x - 1u - vendor;
+    return fan.x - 1u - vendor;
 #else
-    uint view = vendor;
+    return vendor;
+#endif
+}
+
+#ifdef ROOTS
+uint subpixelRoot(uint cycles, Place place, int channel) {
+#ifdef CONTINUOUS
+    float b = clamp(rig.x + rig.y * float(cycles), -1.0, 1.0);
+#else
+    uint vendor, fraction;
+    umulExtended(cycles, fan.x, vendor, fraction);
+    uint view = viewOf(vendor);
+#ifdef REMAP
+    if (view == kBlack) return kBlackRoot;
+#endif
+    float b = positionOf(int(view));
+#endif
+    return findRoot(b, place, channel);
+}
+#else
+float show(uint vendor, Place place, int channel) {
+    uint view = viewOf(vendor);
+#ifdef REMAP
+    if (view == kBlack) return 0.0;
 #endif
     return samplePlace(int(view), place, channel);
 }
@@ -60,6 +86,7 @@ float subpixel(uint cycles, Place place, int channel) {
 #endif
 #endif
 }
+#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy); // y up
@@ -70,6 +97,12 @@ void main() {
 #else
     Place shown = placeOf(pixel);
 #endif
+#ifdef ROOTS
+    uvec3 found;
+    for (int channel = 0; channel < 3; ++channel)
+        found[channel] = subpixelRoot(phases[channel], shown, channel);
+    roots = packRoots(found);
+#else
 #ifdef SEARCH
     // As a loop: three searches in a row take minutes to compile where the GPU is a CPU.
     color.a = 1.0;
@@ -80,4 +113,5 @@ void main() {
                  subpixel(phases.z, shown, 2), 1.0);
 #endif
     color.rgb *= fade(pixel);
+#endif
 }

@@ -6,9 +6,6 @@
 #include "gpu/views/layered_views.hpp"
 #include "gpu/views/multipass_views.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace autostereo::gpu {
 
 namespace {
@@ -28,12 +25,6 @@ std::unique_ptr<AtlasViews> makeViews(const PipelineParams& params,
     default:
         return std::make_unique<InstancedViews>(display, params);
     }
-}
-
-AtlasLayout scaled(AtlasLayout layout, double scale) {
-    for (int* side : {&layout.quilt.tileWidth, &layout.quilt.tileHeight})
-        *side = std::max(1, static_cast<int>(std::lround(scale * *side)));
-    return layout;
 }
 
 std::optional<DisparityView> disparityView(const PipelineParams& params,

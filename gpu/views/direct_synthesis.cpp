@@ -7,12 +7,11 @@ namespace autostereo::gpu {
 
 namespace {
 
-/// From red to green to blue, panel widths; where the display is no lens sheet they count as one
-/// place.
+/// From red to green to blue, panel widths.
 double channelStep(const calib::DisplayProfile& display) {
-    const auto optics = calib::displayOptics(display);
-    if (!optics || optics->subpixels.offsetsM.empty()) return 0;
-    const auto& [red, green, blue] = optics->subpixels.offsetsM.front();
+    const auto layout = calib::subpixelLayout(display);
+    if (!layout) return 0;
+    const auto& [red, green, blue] = layout->offsetsM.front();
     return (blue.x - red.x) / 2 / display.widthM;
 }
 
@@ -37,30 +36,38 @@ SearchParams searchParams(const calib::DisplayProfile& display, const calib::Pan
     return search;
 }
 
-std::unique_ptr<Interleaver> interleaver(const PipelineParams& params,
-                                         const calib::DisplayProfile& display, int width,
-                                         int height) {
-    const calib::PanelMap map = calib::panelMap(display, width, height);
-    return makeInterleaver(map, width, height,
-                           {TileFilter::Linear, ViewFilter::Nearest, display.fringe,
-                            searchParams(display, map, params.synthesis)});
-}
-
 } // namespace
 
 DirectSynthesis::DirectSynthesis(const PipelineParams& params, const calib::DisplayProfile& display,
                                  int panelWidth, int panelHeight)
-    : positions_(makeViewPositions(display)),
-      interleaver_(interleaver(params, display, panelWidth, panelHeight)) {}
+    : positions_(makeViewPositions(display)) {
+    const calib::PanelMap map = calib::panelMap(display, panelWidth, panelHeight);
+    SearchParams search = searchParams(display, map, params.synthesis);
+    const auto* views = std::get_if<calib::ViewMap>(&map);
+    search.rootsOnly = params.synthesis.keepRoots && views != nullptr;
+    if (search.rootsOnly)
+        kept_.emplace(panelWidth, panelHeight, search, views->upsideDown, display.fringe);
+    interleaver_ =
+        makeInterleaver(map, panelWidth, panelHeight,
+                        {TileFilter::Linear, ViewFilter::Nearest, display.fringe, search});
+}
 
 void DirectSynthesis::prepare(const CyclopeanScene& scene) { search_.build(scene); }
 
 void DirectSynthesis::show(const CyclopeanScene& scene, GLuint panel) {
+    if (kept_) kept_->findStale(search_);
     search_.bind();
     glBindTextureUnit(11, scene.color.name());
     glBindTextureUnit(12, scene.backgroundColor.name());
     glBindTextureUnit(10, positions_.name());
-    interleaver_->render({}, panel);
+    interleaver_->render({}, kept_ ? kept_->target() : panel);
+    if (!kept_) return;
+    kept_->show(panel);
+    search_.forgetChanges();
+}
+
+std::optional<double> DirectSynthesis::keptShare() const {
+    return kept_ ? kept_->keptShare() : std::nullopt;
 }
 
 } // namespace autostereo::gpu

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/interleaver.hpp"
+#include "gpu/views/kept_roots.hpp"
 #include "gpu/views/layer_search.hpp"
 #include "gpu/views/view_synthesis.hpp"
 
@@ -16,9 +17,11 @@ class DirectSynthesis final : public ViewSynthesis {
                     int panelWidth, int panelHeight);
     void prepare(const CyclopeanScene& scene) override;
     void show(const CyclopeanScene& scene, GLuint panel) override;
+    [[nodiscard]] std::optional<double> keptShare() const override;
 
   private:
     LayerSearch search_;
+    std::optional<KeptRoots> kept_;
     gl::Texture positions_;
     std::unique_ptr<Interleaver> interleaver_;
 };

@@ -9,7 +9,6 @@ namespace autostereo::gpu {
 
 namespace {
 
-constexpr GLenum kTileEdges = 4;
 constexpr int kComponents = 4 + 4 + 2; // position, clip distances, texture coordinate
 
 } // namespace
@@ -35,12 +34,9 @@ void GeometryViews::render(const MeshLayers& layers, const gl::Texture& color, c
     glViewport(0, 0, layout.width(), layout.height());
     program_.use();
     glBindTextureUnit(3, positions_.name());
-    for (GLenum edge = 0; edge < kTileEdges; ++edge)
-        glEnable(GL_CLIP_DISTANCE0 + edge);
+    const ClippedToTiles clipped;
     for (int first = 0; first < layout.views; first += viewsPerPass_)
         drawer_.draw(layers, color, {layout.quilt.columns, layout.quilt.rows, first, 0}, 1);
-    for (GLenum edge = 0; edge < kTileEdges; ++edge)
-        glDisable(GL_CLIP_DISTANCE0 + edge);
 }
 
 } // namespace autostereo::gpu

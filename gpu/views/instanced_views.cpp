@@ -4,10 +4,6 @@
 
 namespace autostereo::gpu {
 
-namespace {
-constexpr GLenum kTileEdges = 4;
-}
-
 InstancedViews::InstancedViews(const calib::DisplayProfile& display, const PipelineParams& params)
     : params_(params), drawer_(params.mesh),
       program_({"mesh_view.vert", "mesh_view.frag"}, {"TILED"}),
@@ -20,11 +16,8 @@ void InstancedViews::render(const MeshLayers& layers, const gl::Texture& color,
     glViewport(0, 0, layout.width(), layout.height());
     program_.use();
     glBindTextureUnit(3, positions_.name());
-    for (GLenum edge = 0; edge < kTileEdges; ++edge)
-        glEnable(GL_CLIP_DISTANCE0 + edge);
+    const ClippedToTiles clipped;
     drawer_.draw(layers, color, {layout.quilt.columns, layout.quilt.rows, 0, 0}, layout.views);
-    for (GLenum edge = 0; edge < kTileEdges; ++edge)
-        glDisable(GL_CLIP_DISTANCE0 + edge);
 }
 
 } // namespace autostereo::gpu

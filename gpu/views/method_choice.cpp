@@ -34,6 +34,7 @@ class Candidate {
         : target_(GL_RGBA8, width, height), panel_(gl::makeFramebuffer(target_)) {
         params.synthesis.method = method;
         params.synthesis.positions = ViewPositions::OfViews; // which all methods can show
+        params.synthesis.keepRoots = false;                  // the second drawing would find all
         views_ = makeViewSynthesis(params, display, width, height);
     }
     double drawMs(const CyclopeanScene& scene) {
@@ -59,13 +60,13 @@ class Candidate {
 
 MethodChoice chooseMethod(const PipelineParams& params, const calib::DisplayProfile& display,
                           int panelWidth, int panelHeight, const CyclopeanScene& scene) {
-    constexpr std::array kMethods{Method::Direct,    Method::Hybrid,   Method::Instanced,
-                                  Method::Multipass, Method::Geometry, Method::Layered};
+    constexpr std::array kTried{Method::Direct,    Method::Hybrid,   Method::Instanced,
+                                Method::Multipass, Method::Geometry, Method::Layered};
     constexpr double kPatienceMs = 1000; // a first drawing may compile shaders
     MethodChoice choice;
     RgbImage exact;
     double fastest = std::numeric_limits<double>::infinity();
-    for (const Method method : kMethods) {
+    for (const Method method : kTried) {
         Candidate candidate(params, method, display, panelWidth, panelHeight);
         const double first = candidate.drawMs(scene);
         const bool hopeless = first > fastest + kPatienceMs;

@@ -3,6 +3,7 @@
 #include "calib/view_map.hpp"
 #include "gpu/views/atlas_synthesis.hpp"
 #include "gpu/views/direct_synthesis.hpp"
+#include "gpu/views/eye_synthesis.hpp"
 
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace autostereo::gpu {
 std::unique_ptr<ViewSynthesis> makeViewSynthesis(const PipelineParams& params,
                                                  const calib::DisplayProfile& display,
                                                  int panelWidth, int panelHeight) {
+    if (params.synthesis.followEyes && EyeSynthesis::fits(display))
+        return std::make_unique<EyeSynthesis>(params, display, panelWidth, panelHeight);
     const bool makesViews = std::holds_alternative<calib::DepthFrame>(display.law);
     if (params.synthesis.method == Method::Direct && !makesViews)
         return std::make_unique<DirectSynthesis>(params, display, panelWidth, panelHeight);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "calib/display_profile.hpp"
+#include "calib/eye_pair.hpp"
 #include "gpu/atlas.hpp"
 #include "gpu/fusion/cyclopean_scene.hpp"
 #include "gpu/params.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace autostereo::gpu {
 
@@ -16,10 +18,14 @@ class ViewSynthesis {
     virtual ~ViewSynthesis() = default;
     /// Once a frame: whatever does not depend on the panel's pixels.
     virtual void prepare(const CyclopeanScene& scene) = 0;
-    /// Fills the panel with what was prepared.
+    /// Fills the panel with what was prepared; may be called again.
     virtual void show(const CyclopeanScene& scene, GLuint panel) = 0;
+    /// Where the viewer's eyes are, from the next `show` on; only EyeSynthesis cares.
+    virtual void setEyes(const calib::EyePair& /*eyes*/) {}
     /// Every view in a tile of its own; none where views are never drawn.
     [[nodiscard]] virtual const Atlas* atlas() const { return nullptr; }
+    /// Share of the panel that needed no search, mean over frames; none where nothing is searched.
+    [[nodiscard]] virtual std::optional<double> keptShare() const { return std::nullopt; }
 };
 
 /// For a panel of the given size. `method` as in params, but a display that makes its views itself

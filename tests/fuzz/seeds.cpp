@@ -1,6 +1,7 @@
 #include "devices/replay/image_files.hpp"
 #include "devices/replay/npy_file.hpp"
 #include "tests/support/edid_bytes.hpp"
+#include "tests/support/kinect2_unit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <iostream>
 #include <span>
 #include <string>
+#include <string_view>
 
 // Good inputs for each fuzzer to start from: shipped files, real calibrations, small arrays and
 // pictures. usage: fuzz_seeds OUTPUT SOURCES DATA
@@ -59,6 +61,36 @@ void copyTexts(const fs::path& output, const fs::path& sources, const fs::path& 
     }
 }
 
+void writeKinect2(const fs::path& output) {
+    const auto unit = test::inventedUnit();
+    write(folder(output, "kinect2_command") / "completion", test::completion(7));
+    write(folder(output, "kinect2_page") / "depth", test::depthCameraPage(unit));
+    const auto phases = test::phasePage(unit);
+    auto ends = std::vector(phases.begin(), phases.begin() + 32); // as the fuzzer fills them in
+    ends.insert(ends.end(), phases.end() - 306, phases.end());
+    write(folder(output, "kinect2_page") / "phase", ends);
+    const auto color = test::colorPage(unit);
+    write(folder(output, "kinect2_page") / "color", std::span(color).first(101));
+    write(folder(output, "kinect2_color") / "packet",
+          test::colorPacket(std::vector<std::byte>(500), 3, 4));
+    std::vector<std::byte> steps; // nine sub-images of one sequence
+    for (unsigned i = 0; i < 9; ++i)
+        for (const unsigned byte : {3U, 0U, 0U, 0U, 1U, 0U, 0U, 0U, i, 0U, 0U, 0U})
+            steps.push_back(static_cast<std::byte>(byte));
+    write(folder(output, "kinect2_depth") / "frame", steps);
+}
+
+void writeRequests(const fs::path& output) {
+    int number = 0;
+    for (const std::string_view line : {R"({"command":"status"})", R"({"command":"snapshot"})",
+                                        R"({"command":"show","what":"live"})",
+                                        R"({"command":"set","name":"scale","value":"0.5"})",
+                                        R"({"command":"set","name":"method","value":"direct"})",
+                                        R"({"command":"set","name":"brightness","value":1e-3})"})
+        write(folder(output, "control_request") / std::to_string(number++),
+              std::as_bytes(std::span(line)));
+}
+
 void writeBinaries(const fs::path& output) {
     write(folder(output, "edid") / "dell", test::bytesOfHex(test::kDell));
     write(folder(output, "edid") / "lg", test::bytesOfHex(test::kLg));
@@ -77,6 +109,13 @@ void writeBinaries(const fs::path& output) {
     }
     for (const char* fuzzer : {"looking_glass_json", "hid"})
         static_cast<void>(folder(output, fuzzer));
+    writeKinect2(output);
+    std::vector<std::byte> pose(48); // x = 1 cm
+    pose[6] = std::byte{0xf0};
+    pose[7] = std::byte{0x3f};
+    write(folder(output, "opentrack") / "pose", pose);
+    constexpr std::string_view kTrace = "# s, m\n0,-0.03,0,0.65,0.03,0,0.65\n1.5,0,0,1,.06,0,1\n";
+    write(folder(output, "eye_trace") / "trace", std::as_bytes(std::span(kTrace)));
 }
 
 } // namespace
@@ -84,6 +123,7 @@ void writeBinaries(const fs::path& output) {
 int main(int argc, char** argv) try {
     if (argc != 4) throw std::runtime_error("usage: fuzz_seeds OUTPUT SOURCES DATA");
     copyTexts(argv[1], argv[2], argv[3]);
+    writeRequests(argv[1]);
     writeBinaries(argv[1]);
     return 0;
 } catch (const std::exception& error) {

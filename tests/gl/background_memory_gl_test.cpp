@@ -2,8 +2,8 @@
 
 #include "devices/frame_pool.hpp"
 #include "gpu/exports.hpp"
-#include "tests/gl/scene_support.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
 
 #include <cmath>
 
@@ -125,8 +125,8 @@ TEST_F(BackgroundMemoryGlTest, WhatAVisitorHidesIsNearlyAsGoodAsWhatIsSeen) {
     const std::string form = "?depth=320x288&color=640x360&noise=off";
     std::array<Quality, 2> found;
     for (const int roomFrames : {0, 6}) {
-        const SimulatedPair room = simulate("sim:room" + form),
-                            person = simulate("sim:person" + form);
+        const CapturedPair room = simulate("sim:room" + form),
+                           person = simulate("sim:person" + form);
         gpu::Pipeline gpuStages({}, person.rig, display, 96, 128);
         gpu::MovedCamera camera({}, person.rig, kOffset);
         for (int i = 0; i < roomFrames; ++i) {

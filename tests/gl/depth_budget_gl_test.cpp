@@ -2,8 +2,8 @@
 // frame, then slowly, and not at all while little changes.
 
 #include "devices/frame_pool.hpp"
-#include "tests/gl/scene_support.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
 
 #include <cmath>
 
@@ -96,15 +96,17 @@ TEST_F(DepthBudgetGlTest, FollowsAVisitorTwoFramesLaterWithItsTimeConstant) {
     EXPECT_EQ(focus(), after) << "a scene that is gone moves nothing";
 }
 
+constexpr std::uint64_t kAtRest = 1000; // frames: this is about the budget alone
+
 /// A picture that does not change need not be drawn again, but for what it set in motion.
 TEST_F(DepthBudgetGlTest, KnowsWhenNothingMoves) {
     if (IsSkipped()) return;
     show(3000);
-    EXPECT_TRUE(pipeline->isStill());
+    EXPECT_TRUE(pipeline->isStill(kAtRest));
     show(3000, 1000);
-    EXPECT_FALSE(pipeline->isStill());
+    EXPECT_FALSE(pipeline->isStill(kAtRest));
     int drawn = 0;
-    for (; !pipeline->isStill() && drawn < 1000; ++drawn)
+    for (; !pipeline->isStill(kAtRest) && drawn < 1000; ++drawn)
         show(3000, 1000);
     EXPECT_NEAR(focus(), 1, 0.03);
     EXPECT_GT(drawn, 20);
@@ -155,7 +157,7 @@ TEST_F(DepthBudgetGlTest, SaysWhatIsClamped) {
 /// Against the mesh in double precision, on the scene that is rendered.
 TEST_F(DepthBudgetGlTest, StatisticsAreThoseOfTheMesh) {
     if (IsSkipped()) return;
-    const SimulatedPair pair = simulate("sim:person?depth=176x144&color=320x180");
+    const CapturedPair pair = simulate("sim:person?depth=176x144&color=320x180");
     gpu::Pipeline gpuStages({}, pair.rig, display, 96, 128);
     gpuStages.prepare(pair.frame);
     gpu::DepthStatistics statistics;

@@ -2,8 +2,8 @@
 // give.
 
 #include "devices/frame_pool.hpp"
-#include "tests/gl/scene_support.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
 
 #include <algorithm>
 #include <array>
@@ -59,7 +59,7 @@ class DepthMeshGlTest : public GlTest {
 /// Float against double: u, v and the texture coordinate come from a few dozen operations on
 /// values near one, so some 1e-6; the texture coordinate goes through the distortion polynomial.
 TEST_F(DepthMeshGlTest, NodesAgreeWithTheOracle) {
-    const SimulatedPair pair = simulate("sim:room?depth=176x144&color=640x360");
+    const CapturedPair pair = simulate("sim:room?depth=176x144&color=640x360");
     pipeline = std::make_unique<gpu::Pipeline>(params, pair.rig, display, 96, 128);
     pipeline->prepare(pair.frame);
     const oracle::MeshInput input = oracleInput(pair, *pipeline, params);

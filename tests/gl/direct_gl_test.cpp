@@ -1,61 +1,17 @@
 // The direct method against double precision: the same layers, every sub-pixel searched by hand.
 
 #include "config/load.hpp"
-#include "tests/gl/scene_support.hpp"
-#include "tests/gl/search_support.hpp"
-#include "tests/oracle/searched_panel.hpp"
+#include "tests/oracle/panel_differences.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
+#include "tests/support/gl_search_input.hpp"
 
 #include <cstdio>
 
 namespace autostereo::test {
 namespace {
 
-struct Differences {
-    double squares = 0, largest = 0;
-    std::size_t samples = 0, overTwo = 0, unexplained = 0;
-
-    [[nodiscard]] double psnr() const {
-        return 10 * std::log10(255 * 255 / (squares / static_cast<double>(samples)));
-    }
-};
-
-/// More than two levels off only where the oracle itself goes there within a thousandth of a
-/// sub-pixel: a silhouette that float and double put on either side, or a surface seen along
-/// itself.
-bool isTie(const oracle::SearchInput& in, const oracle::SearchedPanel& panel, int x, int y, int c,
-           double value) {
-    constexpr double kShare = 1e-3 / 3;
-    double least = 255, most = 0;
-    for (const double right : {-kShare, 0.0, kShare})
-        for (const double up : {-kShare, 0.0, kShare}) {
-            const double beside = panel.level(in, x, y, c, right, up);
-            least = std::min(least, beside);
-            most = std::max(most, beside);
-        }
-    return value >= least - 2.5 && value <= most + 2.5;
-}
-
-Differences compare(const gpu::RgbImage& image, const oracle::SearchInput& in,
-                    const oracle::SearchedPanel& panel, int rowStep) {
-    Differences found;
-    for (int y = rowStep / 2; y < image.height; y += rowStep)
-        for (int x = 0; x < image.width; ++x)
-            for (int c = 0; c < 3; ++c) {
-                const double value = image.pixels[3 * (static_cast<std::size_t>(y) *
-                                                           static_cast<std::size_t>(image.width) +
-                                                       static_cast<std::size_t>(x)) +
-                                                  static_cast<std::size_t>(c)];
-                const double off = std::abs(value - panel.level(in, x, y, c));
-                ++found.samples;
-                found.squares += off * off;
-                found.largest = std::max(found.largest, off);
-                if (off <= 2.5) continue;
-                ++found.overTwo;
-                if (!isTie(in, panel, x, y, c, value)) ++found.unexplained;
-            }
-    return found;
-}
+constexpr double kStripePx = 1.0 / 3; // red, green and blue side by side in a pixel
 
 struct Case {
     const char* name;
@@ -72,7 +28,7 @@ class DirectGlTest : public GlTest, public testing::WithParamInterface<Case> {};
 
 TEST_P(DirectGlTest, PanelAgreesWithTheOracle) {
     if (IsSkipped()) return;
-    const SimulatedPair pair = simulate(GetParam().uri, 2);
+    const CapturedPair pair = simulate(GetParam().uri, 2);
     calib::DisplayProfile display = smallLensDisplay(GetParam().views, 1, 64, 64);
     display.width = 192;
     display.height = 256;
@@ -86,9 +42,10 @@ TEST_P(DirectGlTest, PanelAgreesWithTheOracle) {
     pipeline.render(pair.frame, panel.name());
     const gpu::RgbImage image = gpu::readFramebuffer(panel.name(), display.width, display.height);
 
-    const oracle::SearchedPanel truth(display, display.width, display.height, GetParam().positions);
-    const Differences found =
-        compare(image, searchInput(pair.rig, pipeline, colorPicture(pair.frame.color)), truth, 1);
+    const oracle::SearchedPanel truth(display, display.width, display.height, GetParam().positions,
+                                      kStripePx);
+    const oracle::Differences found = oracle::compare(
+        image, searchInput(pair.rig, pipeline, colorPicture(pair.frame.color)), truth, 1);
     std::printf("%s: %.2f dB, max %.0f, more than 2/255: %zu of %zu\n", GetParam().name,
                 found.psnr(), found.largest, found.overTwo, found.samples);
     // Rounding to 8 bits and the filter's 8-bit weights leave 56 dB.
@@ -115,7 +72,7 @@ class DirectOnDisplaysGlTest : public GlTest, public testing::WithParamInterface
 TEST_P(DirectOnDisplaysGlTest, PanelAgreesWithTheOracle) {
     if (IsSkipped()) return;
     const calib::DisplayProfile display = config::loadDisplay(GetParam());
-    const SimulatedPair pair = simulate("sim:person?depth=176x144&color=640x360&noise=off");
+    const CapturedPair pair = simulate("sim:person?depth=176x144&color=640x360&noise=off");
     gpu::PipelineParams params;
     gpu::Pipeline pipeline(params, pair.rig, display, display.width, display.height);
     const gpu::gl::Texture target(GL_RGBA8, display.width, display.height);
@@ -125,8 +82,8 @@ TEST_P(DirectOnDisplaysGlTest, PanelAgreesWithTheOracle) {
 
     constexpr int kRowStep = 61; // no multiple of any pattern's rows
     const oracle::SearchedPanel truth(display, display.width, display.height,
-                                      gpu::ViewPositions::Continuous);
-    const Differences found = compare(
+                                      gpu::ViewPositions::Continuous, kStripePx);
+    const oracle::Differences found = oracle::compare(
         image, searchInput(pair.rig, pipeline, colorPicture(pair.frame.color)), truth, kRowStep);
     std::printf("%s: %.2f dB, max %.0f, more than 2/255: %zu of %zu\n", GetParam(), found.psnr(),
                 found.largest, found.overTwo, found.samples);

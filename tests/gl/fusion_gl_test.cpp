@@ -1,8 +1,8 @@
 // Each fusion pass on the GPU against double precision, fed with what the pass before it gave.
 
-#include "tests/gl/scene_support.hpp"
 #include "tests/oracle/fusion_oracle.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
 
 #include <cmath>
 
@@ -50,7 +50,7 @@ class FusionGlTest : public GlTest, public testing::WithParamInterface<const cha
 
     gpu::PipelineParams params;
     calib::DisplayProfile display = smallLensDisplay(2, 1, 48, 64);
-    SimulatedPair pair = simulate("sim:room?depth=16x16&color=16x16");
+    CapturedPair pair = simulate("sim:room?depth=16x16&color=16x16");
     std::unique_ptr<gpu::Pipeline> pipeline;
     oracle::FusionInput in;
 };

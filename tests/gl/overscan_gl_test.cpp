@@ -1,8 +1,8 @@
 // Views look past the panel's edges by as much as the display's disparity budget: the framing
 // leaves so much of both cameras' pictures beyond them that no view has to make up its borders.
 
-#include "tests/gl/scene_support.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
 
 #include <cstdlib>
 #include <random>
@@ -15,7 +15,7 @@ constexpr double kFocusM = 1.2;
 class OverscanGlTest : public GlTest, public testing::WithParamInterface<double> {
   protected:
     /// A wall at so many metres in a colour of its own at each pixel.
-    static void showNoisyWall(SimulatedPair& pair, double metres) {
+    static void showNoisyWall(CapturedPair& pair, double metres) {
         std::mt19937 random(1);
         for (std::byte& level : pair.frame.color.pixels())
             level = static_cast<std::byte>(random() & 0xffU);
@@ -43,7 +43,7 @@ int contrastToNext(const gpu::RgbImage& tile, int column, int inwards) {
 
 TEST_P(OverscanGlTest, OutermostViewsHaveNoRepeatedBorder) {
     if (IsSkipped()) return;
-    SimulatedPair pair = simulate("sim:room?depth=176x144&color=640x360&noise=off");
+    CapturedPair pair = simulate("sim:room?depth=176x144&color=640x360&noise=off");
     showNoisyWall(pair, GetParam());
     calib::DisplayProfile display = smallLensDisplay(2, 1, 96, 128);
     display.fan = calib::Fan::Edges; // b = -1 and b = 1

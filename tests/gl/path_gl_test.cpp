@@ -1,8 +1,8 @@
 // From the fused layers on (the same tiles at the same size -> interleave) against double
 // precision.
 
-#include "tests/gl/scene_support.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
 
 namespace autostereo::test {
 namespace {
@@ -50,7 +50,7 @@ class PathGlTest : public GlTest, public testing::WithParamInterface<Case> {};
 
 TEST_P(PathGlTest, PanelAgreesWithTheOracle) {
     if (IsSkipped()) return;
-    const SimulatedPair pair = simulate(GetParam().uri, 3);
+    const CapturedPair pair = simulate(GetParam().uri, 3);
     const calib::DisplayProfile display = smallLensDisplay(4, 2, 192, 256);
     gpu::PipelineParams params;
     params.synthesis = {GetParam().method, GetParam().filter};

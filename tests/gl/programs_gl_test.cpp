@@ -54,6 +54,10 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{{"full_screen.vert", "hybrid_views.frag"}, {}},
         Variant{{"full_screen.vert", "view_interleaver.frag"}, {"SEARCH", "REMAP", "GRID"}},
         Variant{{"full_screen.vert", "view_interleaver.frag"}, {"SEARCH", "CONTINUOUS"}},
+        Variant{{"stale_tiles.vert", "view_interleaver.frag"}, {"SEARCH", "ROOTS", "REMAP"}},
+        Variant{{"stale_tiles.vert", "view_interleaver.frag"}, {"SEARCH", "ROOTS", "CONTINUOUS"}},
+        Variant{{"full_screen.vert", "kept_roots.frag"}, {}}, Variant{{"stale_blocks.comp"}, {}},
+        Variant{{"stale_tiles.comp"}, {}}, Variant{{"stale_tiles.comp"}, {"UPSIDE_DOWN"}},
         Variant{{"full_screen.vert", "tile_interleaver.frag"}, {"SEARCH"}},
         Variant{{"full_screen.vert", "band_interleaver.frag"}, {"SEARCH", "WAVEFORM"}},
         Variant{{"mesh_view.vert", "mesh_disparity.frag"}, {"DISPARITY"}}));

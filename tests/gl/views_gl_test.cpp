@@ -1,8 +1,8 @@
 // Methods agree, views lie in order, near things move against far ones, exports show the same.
 
 #include "gpu/exports.hpp"
-#include "tests/gl/scene_support.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
 #include "tests/support/image_compare.hpp"
 
 namespace autostereo::test {
@@ -20,7 +20,7 @@ class ViewsGlTest : public GlTest {
                                     layout.height());
     }
 
-    SimulatedPair pair = simulate("sim:room?depth=176x144&color=640x360&noise=off");
+    CapturedPair pair = simulate("sim:room?depth=176x144&color=640x360&noise=off");
     gpu::PipelineParams params;
     calib::DisplayProfile display = smallLensDisplay(3, 3, 96, 128);
     std::unique_ptr<gpu::Pipeline> pipeline;

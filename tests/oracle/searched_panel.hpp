@@ -10,18 +10,23 @@
 
 namespace autostereo::oracle {
 
+/// From red to green to blue, pixels, as the display's optics have it.
+inline double channelStepPx(const calib::DisplayProfile& display) {
+    const auto layout = calib::subpixelLayout(display);
+    if (!layout) return 0;
+    const auto& offsets = layout->offsetsM.front();
+    return (offsets[2].x - offsets[0].x) / 2 / layout->pixelM;
+}
+
 class SearchedPanel {
   public:
-    /// Displays whose panel is filled by phase or by bands per eye.
+    /// Displays whose panel is filled by phase or by bands per eye. `stepPx`: from red to green to
+    /// blue; tests say it by hand.
     SearchedPanel(const calib::DisplayProfile& display, int width, int height,
-                  gpu::ViewPositions positions)
+                  gpu::ViewPositions positions, double stepPx)
         : display_(display), width_(width), height_(height),
-          map_(calib::panelMap(display, width, height)), positions_(positions) {
-        const auto optics = calib::displayOptics(display);
-        if (!optics || optics->subpixels.offsetsM.empty()) return;
-        const auto& offsets = optics->subpixels.offsetsM.front();
-        step_ = (offsets[2].x - offsets[0].x) / 2 / display.widthM;
-    }
+          map_(calib::panelMap(display, width, height)), positions_(positions),
+          step_(stepPx / width) {}
 
     /// Level of a sub-pixel, `across` and `up` pixels beside it: 0..255.
     [[nodiscard]] double level(const SearchInput& in, int x, int y, int c, double across = 0,
@@ -41,7 +46,8 @@ class SearchedPanel {
         if (const auto* views = std::get_if<calib::ViewMap>(&map_)) {
             const std::uint32_t phase = views->phase(x, y, c), view = views->view(phase);
             if (view == calib::ViewMap::kBlack) return {};
-            if (positions_ == gpu::ViewPositions::Continuous && views->remap.empty())
+            const bool one = display_.views == 1; // and its eye in the middle
+            if (positions_ == gpu::ViewPositions::Continuous && views->remap.empty() && !one)
                 found.push_back((views->reversed ? -1 : 1) * (2 * (phase / 4294967296.0) - 1));
             else
                 found.push_back(calib::viewPosition(display_, static_cast<int>(view)));
@@ -57,7 +63,7 @@ class SearchedPanel {
     int width_, height_;
     calib::PanelMap map_;
     gpu::ViewPositions positions_;
-    double step_ = 0; ///< from red to green to blue, panel widths
+    double step_; ///< from red to green to blue, panel widths
 };
 
 } // namespace autostereo::oracle

@@ -1,3 +1,5 @@
+#include "config/load.hpp"
+#include "devices/input.hpp"
 #include "tests/replay/program.hpp"
 #include "tests/support/data.hpp"
 
@@ -57,10 +59,14 @@ TEST(ImportCommand, RefusesInOneLine) {
         EXPECT_EQ(result.err, "autostereo: " + message + '\n');
         EXPECT_FALSE(std::filesystem::exists(toml));
     };
-    refused({"k4a", good, "--output", toml}, "import: k4a: not in this version");
-    refused({"ros", good, "--output", toml}, "import: ros: not in this version");
+    refused({"kinect2", good, "--output", toml}, "import: kinect2: not in this version");
     refused({"tv", good, "--output", toml},
-            "import: tv is not known (allowed cubevi, looking-glass)");
+            "import: tv is not known (allowed cubevi, k4a, looking-glass, opencv, ros)");
+    refused({"opencv", good, "--output", toml},
+            good + ": camera_matrix: missing (allowed camera_matrix, cameraMatrix, K, M1 and M2, "
+                   "or rotation and translation)");
+    refused({"opencv", good, "--depth-size", "12", "--output", toml},
+            "--depth-size: 12 is no size (allowed e.g. 640x576)");
     refused({"looking-glass", good, "--output", folder / "mine.json"},
             "--output: " + (folder / "mine.json") + " is no display file (allowed *.toml)");
     refused({"looking-glass", good, "--output", toml, "--view-order", "up"},
@@ -82,6 +88,38 @@ TEST(ImportCommand, RefusesInOneLine) {
     refused({"looking-glass", good, "--base", "preview", "--output", toml},
             toml + ":3:8: base: \"preview\" is of type anaglyph (allowed displays of the file's "
                    "own type)");
+}
+
+/// The factory's numbers are those that a recording of the same camera carries.
+TEST(ImportCommand, AnAzureKinectsOwnCalibration) {
+    AUTOSTEREO_NEED_DATA("camera-calibrations/azure-kinect-b.json");
+    AUTOSTEREO_NEED_DATA("k4a-mug/recording.mkv");
+    const TempFolder folder;
+    const std::string rig = folder / "rig.toml";
+    ASSERT_TRUE(
+        succeeded(call({"import", "k4a", dataDir() / "camera-calibrations/azure-kinect-b.json",
+                        "--color-size", "1280x720", "--output", rig})));
+    const calib::SensorRig imported = config::loadRig(rig);
+    const calib::SensorRig recorded = *devices::openInput(dataDir() / "k4a-mug/recording.mkv").rig;
+    EXPECT_EQ(imported.depth.intrinsics.fx, recorded.depth.intrinsics.fx);
+    EXPECT_EQ(imported.color.intrinsics.cy, recorded.color.intrinsics.cy);
+    EXPECT_EQ(imported.color.distortion.k6, recorded.color.distortion.k6);
+    EXPECT_EQ(imported.colorFromDepth.translation, recorded.colorFromDepth.translation);
+}
+
+TEST(ImportCommand, AKinectsFilesOfAnotherProgram) {
+    AUTOSTEREO_NEED_DATA("camera-calibrations/kinect-v2/calib_pose.yaml");
+    const TempFolder folder;
+    const std::string rig = folder / "rig.toml",
+                      files = dataDir() / "camera-calibrations/kinect-v2";
+    ASSERT_TRUE(
+        succeeded(call({"import", "opencv", files + "/calib_ir.yaml", "--color",
+                        files + "/calib_color.yaml", "--pose", files + "/calib_pose.yaml",
+                        "--depth-size", "512x424", "--color-size", "1920x1080", "--output", rig})));
+    const calib::SensorRig imported = config::loadRig(rig);
+    EXPECT_EQ(imported.depth.intrinsics.width, 512);
+    EXPECT_NEAR(imported.color.intrinsics.fx, 1066.0120360637927, 1e-9);
+    EXPECT_NEAR(imported.colorFromDepth.translation.x, -0.052017152124108991, 1e-15);
 }
 
 TEST(ImportCommand, OutputThatCannotBeWritten) {

@@ -1,5 +1,7 @@
 #include "tests/replay/program.hpp"
 
+#include "tests/support/small_display.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
@@ -12,39 +14,6 @@
 namespace autostereo::test {
 
 namespace {
-
-constexpr const char* kSmallDisplay = R"(type = "van_berkel"
-model = "small test panel"
-[panel]
-width = 320
-height = 180
-width_mm = 531.3
-[viewing]
-distance_m = 1.0
-cone_deg = 25.64
-views = 8
-view_order = "right_to_left"
-fan = "centres"
-[lens]
-subpixels_per_lens = 8
-row_shift_subpixels = 1
-offset_subpixels = 0
-[quilt]
-columns = 4
-rows = 2
-tile_width = 160
-tile_height = 90
-[depth_budget]
-far = -0.02
-near = 0.02
-[provenance]
-width_mm = "measured"
-distance_m = "measured"
-cone_deg = "measured"
-subpixels_per_lens = "measured"
-row_shift_subpixels = "measured"
-offset_subpixels = "measured"
-)";
 
 std::vector<std::string> complaints(const std::string& err) {
     std::vector<std::string> lines;
@@ -79,7 +48,16 @@ std::string TempFolder::file(const std::string& name, const std::string& text) c
 }
 
 std::string smallDisplay(const TempFolder& folder) {
-    return folder.file("small.toml", kSmallDisplay);
+    return folder.file("small.toml", smallDisplayText(320, 180));
+}
+
+std::string twoCameras(const TempFolder& folder) {
+    const std::string camera = "width = 640\nheight = 480\nfx = 500\nfy = 500\ncx = 320\n"
+                               "cy = 240\n";
+    return folder.file("cameras.toml",
+                       "provenance = \"by hand\"\n[depth]\n" + camera + "[color]\n" + camera +
+                           "[color_from_depth]\nrotation = [1, 0, 0, 0, 1, 0, 0, 0, 1]\n"
+                           "translation_m = [0, 0, 0]\n");
 }
 
 std::string cameraFile(const TempFolder& folder, int width, int height) {
@@ -94,7 +72,7 @@ ProgramCall calling(std::vector<std::string> arguments) {
     ProgramCall call;
     call.program = AUTOSTEREO_PROGRAM;
     call.arguments = std::move(arguments);
-    call.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
+    call.environment = {"DISPLAY=", "WAYLAND_DISPLAY=", "XDG_RUNTIME_DIR=", "RUNTIME_DIRECTORY="};
     call.limit *= kSlower;
     return call;
 }

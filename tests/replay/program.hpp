@@ -48,6 +48,9 @@ constexpr int kSmallTileWidth = 160, kSmallTileHeight = 90;
 /// A camera.json for registered pictures of one size: focal length = width, centre in the middle.
 [[nodiscard]] std::string cameraFile(const TempFolder& folder, int width, int height);
 
+/// A rig file: two cameras of 640x480 and 500 px focal length in one place.
+[[nodiscard]] std::string twoCameras(const TempFolder& folder);
+
 /// The program with these arguments, without a display server, 60 s at most.
 [[nodiscard]] ProgramCall calling(std::vector<std::string> arguments);
 

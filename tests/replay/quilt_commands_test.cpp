@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstring>
+#include <filesystem>
 
 namespace autostereo::test {
 namespace {
@@ -113,6 +115,65 @@ TEST(QuiltCommands, ARealQuilt) {
         EXPECT_TRUE(succeeded(call({"interleave", "--quilt", quilt, "--views", "33", "--display",
                                     "looking-glass-portrait", "--filter", filter, "--output",
                                     folder / "panel.png"})));
+}
+
+std::vector<std::string> rendering(const std::string& settings, const char* what,
+                                   const std::string& output) {
+    return {"render",
+            "--config",
+            settings,
+            "--input",
+            "sim:room?depth=160x144&color=320x180",
+            "--display",
+            "slanted-8view-1080p",
+            "--as",
+            what,
+            "--output",
+            output};
+}
+
+/// A quilt interleaved afterwards is the panel that the same method fills, to the byte.
+TEST(QuiltCommands, OursIsThePanel) {
+    for (const char* method : {"multipass", "instanced", "geometry", "mrt", "hybrid"}) {
+        const TempFolder folder;
+        const std::string settings =
+            folder.file("autostereo.toml", std::string("[synthesis]\nfilter = \"nearest\"\n") +
+                                               "method = \"" + method + "\"\n");
+        const std::string quilt = folder / "room_qs4x2a1.78.png";
+        ASSERT_TRUE(succeeded(call(rendering(settings, "quilt", quilt))));
+        ASSERT_TRUE(succeeded(call(rendering(settings, "panel", folder / "panel.png"))));
+        ASSERT_TRUE(
+            succeeded(call({"interleave", "--quilt", quilt, "--display", "slanted-8view-1080p",
+                            "--filter", "nearest", "--output", folder / "again.png"})));
+        EXPECT_TRUE(readColor(folder / "again.png") == readColor(folder / "panel.png")) << method;
+    }
+}
+
+/// As public players count: the leftmost view is the bottom left tile, then rightwards, then up.
+TEST(QuiltCommands, OursCountsAsPlayersDo) {
+    const TempFolder folder;
+    const std::string settings =
+        folder.file("autostereo.toml", "[synthesis]\nmethod = \"multipass\"\n");
+    ASSERT_TRUE(succeeded(call(rendering(settings, "quilt", folder / "quilt.png"))));
+    ASSERT_TRUE(succeeded(call(rendering(settings, "views", folder / "views"))));
+    const ColorPicture quilt = readColor(folder / "quilt.png");
+    constexpr int kWidth = 640, kHeight = 360;
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "views"))
+        files.push_back(entry.path());
+    std::ranges::sort(files);
+    ASSERT_EQ(files.size(), 8U);
+    for (int view = 0; view < 8; ++view) {
+        const ColorPicture alone = readColor(files[static_cast<std::size_t>(view)]);
+        ASSERT_EQ(alone.width, kWidth);
+        std::size_t wrong = 0;
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x)
+                for (int c = 0; c < 3; ++c)
+                    wrong += alone.at(x, y)[c] !=
+                             quilt.at(x + kWidth * (view % 4), y + kHeight * (1 - view / 4))[c];
+        EXPECT_EQ(wrong, 0U) << view;
+    }
 }
 
 } // namespace

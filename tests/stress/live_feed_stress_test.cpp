@@ -152,13 +152,13 @@ TEST(LiveFeedStress, KeepsItsAccountsThroughStallsAndDisconnections) {
     Input input;
     input.depth = std::make_unique<UnsteadySource>(depth);
     input.color = std::make_unique<UnsteadySource>(color);
+    input.reopen = {[&] { return std::make_unique<UnsteadySource>(depth); },
+                    [&] { return std::make_unique<UnsteadySource>(color); }};
     SteadyClock clock;
     std::optional<RgbdFrame> held; // outlives the feed
     Consumer consumer;
     {
-        LiveFeed feed(std::move(input), clock, {}, {.firstDelay = 1ms, .longestDelay = 4ms},
-                      {[&] { return std::make_unique<UnsteadySource>(depth); },
-                       [&] { return std::make_unique<UnsteadySource>(color); }});
+        LiveFeed feed(std::move(input), clock, {}, {.firstDelay = 1ms, .longestDelay = 4ms});
         ASSERT_NO_FATAL_FAILURE(run(feed, consumer, held, depth, color));
         const FeedCounters counters = feed.counters();
         expectAllAccountedFor(counters.depth, depth);

@@ -1,7 +1,7 @@
 #include "tests/bench/views/reference.hpp"
 
-#include "tests/gl/search_support.hpp"
 #include "tests/oracle/searched_panel.hpp"
+#include "tests/support/gl_search_input.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -19,7 +19,8 @@ gpu::RgbImage referencePanel(const gpu::Pipeline& pipeline, const calib::SensorR
                                     " is filled with whole views: use --as view");
     const oracle::SearchInput in =
         test::searchInput(rig, pipeline, test::readPicture(pipeline.color()));
-    const oracle::SearchedPanel panel(display, width, height, positions);
+    const oracle::SearchedPanel panel(display, width, height, positions,
+                                      oracle::channelStepPx(display));
     gpu::RgbImage image{width, height, {}};
     image.pixels.resize(static_cast<std::size_t>(3) * static_cast<std::size_t>(width) *
                         static_cast<std::size_t>(height));

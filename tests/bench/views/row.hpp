@@ -23,9 +23,15 @@ struct Row {
     double ratioToMultipass = 0; ///< its CPU time / this one's
 };
 
-/// `suite`: "quick" or "full". Needs no context; makes its own. `progress` is told each case.
-/// Throws GlError, std::invalid_argument for an unknown suite.
-[[nodiscard]] std::vector<Row> run(const std::string& suite, void (*progress)(const std::string&));
+struct Request {
+    std::string suite = "quick"; ///< or "full"
+    std::string display;         ///< "": those of the suite
+    std::string input;           ///< "": the suite's scenes; else the first picture of this one
+};
+
+/// Needs no context; makes its own. `progress` is told each case. Throws GlError, DeviceError,
+/// std::invalid_argument for an unknown suite.
+[[nodiscard]] std::vector<Row> run(const Request& request, void (*progress)(const std::string&));
 
 [[nodiscard]] std::string json(const std::vector<Row>& rows);
 [[nodiscard]] std::string markdown(const std::vector<Row>& rows);

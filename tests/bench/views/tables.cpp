@@ -70,9 +70,17 @@ struct Axes {
     }
 };
 
+/// A text as XML has it: addresses have ampersands.
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text)
+        out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+    return out;
+}
+
 void drawFrame(std::ostream& svg, const Axes& axes, const Row& about) {
     svg << R"(<rect width="100%" height="100%" fill="white"/>)"
-        << "<text x=\"" << kLeft << "\" y=\"22\" font-size=\"15\">" << about.scene << " "
+        << "<text x=\"" << kLeft << "\" y=\"22\" font-size=\"11\">" << escaped(about.scene) << " "
         << about.grid << ", " << about.display << ", " << about.views << " views</text>\n";
     for (int db = 20; db <= 60; db += 10)
         svg << "<line x1=\"" << kLeft << "\" x2=\"" << kWidth - kRight << "\" y1=\"" << Axes::y(db)
@@ -136,6 +144,7 @@ std::string plot(const std::vector<Row>& rows) {
     drawFrame(svg, axes, rows.front());
     Labels labels;
     for (const Row& row : rows) {
+        if (row.method.starts_with("auto")) continue; // one of the others
         const bool direct = row.method.starts_with("direct");
         const double x = axes.x(row.cpuMs), y = Axes::y(row.psnrDb);
         svg << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"5\" fill=\""

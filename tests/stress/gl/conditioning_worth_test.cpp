@@ -1,9 +1,9 @@
 // What each step of the conditioning is worth in the end: nine views of simulated scenes against
 // the scenes themselves, all steps on and each switched off in turn.
 
-#include "tests/gl/scene_support.hpp"
 #include "tests/stress/campaign.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
 
 #include <cmath>
 #include <cstdio>

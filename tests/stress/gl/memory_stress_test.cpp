@@ -1,9 +1,9 @@
 // Frame after frame the GPU's stages hold the same objects and bytes, and the process does not
 // grow.
 
-#include "tests/gl/scene_support.hpp"
 #include "tests/stress/campaign.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
 
 #include <unistd.h>
 
@@ -73,8 +73,8 @@ TEST_F(MemoryStressTest, StaysConstantFrameAfterFrame) {
 /// A camera that changes its size: what was made for the other one is given back.
 TEST_F(MemoryStressTest, ChangingSizesGiveBackWhatTheyTook) {
     if (IsSkipped()) return;
-    const SimulatedPair small = simulate("sim:room?depth=64x48&color=64x36"),
-                        large = simulate("sim:room?depth=96x72&color=128x72");
+    const CapturedPair small = simulate("sim:room?depth=64x48&color=64x36"),
+                       large = simulate("sim:room?depth=96x72&color=128x72");
     Stages stages(small.rig);
     std::array<gpu::gl::Usage, 2> first;
     constexpr int kSettled = 4; // each of the uploader's buffers has met both sizes

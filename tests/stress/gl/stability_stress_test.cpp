@@ -5,10 +5,10 @@
 #include "gpu/exports.hpp"
 #include "gpu/views/direct_synthesis.hpp"
 #include "gpu/views/layer_mesher.hpp"
-#include "tests/gl/scene_support.hpp"
 #include "tests/stress/campaign.hpp"
 #include "tests/stress/gl/hostile_scenes.hpp"
 #include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -102,6 +102,8 @@ constexpr bad::Case kCases[] = {
      "x.toml:10:14: barrier.duty_cycle: 0 is out of range (allowed 0.01 to 0.99)"},
     {"dutyOne", bad::kScreen, "duty_cycle = 0.75", "duty_cycle = 1",
      "x.toml:10:14: barrier.duty_cycle: 1 is out of range (allowed 0.01 to 0.99)"},
+    {"guardTooSmall", bad::kScreen, "duty_cycle = 0.75", "duty_cycle = 0.75\nguard = -0.75",
+     "x.toml:11:9: barrier.guard: leaves nothing dark (allowed > -duty_cycle)"},
     {"guardTooLarge", bad::kScreen, "duty_cycle = 0.75", "duty_cycle = 0.75\nguard = 0.25",
      "x.toml:11:9: barrier.guard: leaves no light (allowed < 1 - duty_cycle)"},
     {"eyeBehindBarrier", bad::kScreen, "duty_cycle = 0.75",

@@ -49,9 +49,43 @@ void expectSame(const gpu::DepthBudgetParams& a, const gpu::DepthBudgetParams& b
     EXPECT_DOUBLE_EQ(a.subjectShare, b.subjectShare);
 }
 
+void expectSame(const devices::ViewerParams& a, const devices::ViewerParams& b) {
+    EXPECT_EQ(a.source, b.source);
+    EXPECT_EQ(a.delay, b.delay);
+    EXPECT_DOUBLE_EQ(a.spacingM, b.spacingM);
+    EXPECT_EQ(a.smoothing.cutoffHz, b.smoothing.cutoffHz);
+    EXPECT_EQ(a.smoothing.cutoffPerSpeed, b.smoothing.cutoffPerSpeed);
+    EXPECT_EQ(a.smoothing.velocityCutoffHz, b.smoothing.velocityCutoffHz);
+    EXPECT_EQ(a.smoothing.restSpeed, b.smoothing.restSpeed);
+    EXPECT_EQ(a.lostAfter, b.lostAfter);
+    EXPECT_EQ(a.ease, b.ease);
+    EXPECT_EQ(a.pose.originM, b.pose.originM);
+    EXPECT_EQ(a.pose.rotationRad, b.pose.rotationRad);
+    EXPECT_EQ(a.pose.scale, b.pose.scale);
+    EXPECT_EQ(a.pose.angleScale, b.pose.angleScale);
+}
+
+void expectSameService(const Config& a, const Config& b) {
+    EXPECT_EQ(a.wait, b.wait);
+    EXPECT_EQ(a.brightness, b.brightness);
+    EXPECT_EQ(a.flat, b.flat);
+    EXPECT_EQ(a.control.socket, b.control.socket);
+    EXPECT_EQ(a.control.group, b.control.group);
+    EXPECT_EQ(a.idle.freeze, b.idle.freeze);
+    EXPECT_EQ(a.idle.picture, b.idle.picture);
+    EXPECT_EQ(a.idle.startingText, b.idle.startingText);
+    EXPECT_EQ(a.idle.noInputText, b.idle.noInputText);
+    EXPECT_EQ(a.idle.depthLostText, b.idle.depthLostText);
+    EXPECT_EQ(a.idle.colorLostText, b.idle.colorLostText);
+    EXPECT_EQ(a.idle.bothLostText, b.idle.bothLostText);
+    EXPECT_EQ(a.idle.noPairsText, b.idle.noPairsText);
+}
+
 void expectSame(const Config& a, const Config& b) {
     expectSame(a.pipeline.condition, b.pipeline.condition);
+    expectSame(a.viewer, b.viewer);
     EXPECT_EQ(a.input, b.input);
+    EXPECT_EQ(a.color, b.color);
     EXPECT_EQ(a.display, b.display);
     EXPECT_EQ(a.rig, b.rig);
     EXPECT_EQ(a.output, b.output);
@@ -75,6 +109,7 @@ void expectSame(const Config& a, const Config& b) {
     EXPECT_EQ(a.pipeline.synthesis.filter, b.pipeline.synthesis.filter);
     EXPECT_EQ(a.pipeline.clearColor, b.pipeline.clearColor);
     EXPECT_EQ(a.log.level, b.log.level);
+    expectSameService(a, b);
 }
 
 // The shipped file must give every key (its loader refuses fallbacks) and say what the code says.
@@ -91,6 +126,7 @@ TEST_F(LoadConfig, everyKeyArrives) {
     write("all.toml", R"([input]
 uri = "kitchen.mkv"
 rig = "site.toml"
+wait = "yes"
 [display]
 profile = "barrier-5view"
 [output]
@@ -146,6 +182,34 @@ method = "multipass"
 filter = "nearest"
 [picture]
 clear_color = [0.1, 0, 1]
+brightness = 0.25
+mode = "2d"
+[viewer]
+source = "file:walk.csv"
+delay_ms = 12.5
+eye_spacing_mm = 60
+lost_after_ms = 300
+ease_ms = 250
+cutoff_hz = 1
+cutoff_per_speed = 2
+velocity_cutoff_hz = 3
+rest_speed = 0.5
+origin_mm = [10, 250, -20]
+rotation_deg = [0, 180, 0]
+axis_scale = [-1, 1, 1]
+angle_scale = [0, 0, -1]
+[idle]
+freeze_s = 2.5
+[messages]
+starting = "a"
+no_input = "b"
+depth_lost = "c"
+color_lost = "d"
+both_lost = "e"
+no_pairs = ""
+[control]
+socket = "/run/kiosk.sock"
+group = "museum"
 [log]
 level = "trace"
 )");
@@ -168,8 +232,33 @@ level = "trace"
     expected.pipeline.backdrop = {2.5, 1, 1, {0, 255, 51, 255}};
     expected.pipeline.synthesis = {gpu::Method::Multipass, gpu::TileFilter::Nearest};
     expected.pipeline.clearColor = {0.1, 0, 1};
+    expected.wait = true;
+    expected.brightness = 0.25;
+    expected.flat = true;
+    expected.viewer = {
+        "file:walk.csv",
+        12500us,
+        0.06,
+        {1, 2, 3, 0.5},
+        300ms,
+        250ms,
+        {glm::dvec3{0.01, 0.25, -0.02}, {0, std::numbers::pi, 0}, {-1, 1, 1}, {0, 0, -1}}};
+    expected.idle = {2500ms, {}, "a", "b", "c", "d", "e", ""};
+    expected.control = {"/run/kiosk.sock", "museum"};
     expected.log.level = "trace";
     expectSame(loadConfig("all.toml"), expected);
+}
+
+TEST_F(LoadConfig, filesAreLookedForBesideTheirConfiguration) {
+    std::filesystem::create_directory("site");
+    write("site/all.toml", "[input]\nrig = 'rig.toml'\n[display]\nprofile = 'mine.toml'\n");
+    EXPECT_EQ(loadConfig("site/all.toml").rig, "site/rig.toml");
+    EXPECT_EQ(loadConfig("site/all.toml").display, "site/mine.toml");
+    write("site/eyes.toml", "[viewer]\nsource = 'file:walk.csv'\n");
+    EXPECT_EQ(loadConfig("site/eyes.toml").viewer.source, "file:site/walk.csv");
+    write("site/other.toml", "[input]\nrig = '/etc/rig.toml'\n[display]\nprofile = 'preview'\n");
+    EXPECT_EQ(loadConfig("site/other.toml").rig, "/etc/rig.toml");
+    EXPECT_EQ(loadConfig("site/other.toml").display, "preview");
 }
 
 struct Malformed {
@@ -178,6 +267,10 @@ struct Malformed {
 };
 
 constexpr Malformed kMalformed[] = {
+    {"[viewer]\norigin_mm = [1, 2]\n",
+     "x.toml:2:13: viewer.origin_mm: is no place (allowed [] or [x, y, z])"},
+    {"[viewer]\neye_spacing_mm = 0.063\n",
+     "x.toml:2:18: viewer.eye_spacing_mm: 0.063 is out of range (allowed 30 to 90)"},
     {"[mesh]\ncut_ratio = 1.5\n",
      "x.toml:2:13: mesh.cut_ratio: 1.5 is out of range (allowed 0.005 to 0.5)"},
     {"[mesh]\ncut_ratoi = 0.1\n",
@@ -242,6 +335,12 @@ constexpr Malformed kMalformed[] = {
     {"[picture]\nclear_color = 'black'\n",
      "x.toml:2:15: picture.clear_color: is a string, wanted an array of 3 numbers "
      "(allowed 0 to 1)"},
+    {"[idle]\nfreeze_s = 5\n", "x.toml:2:12: idle.freeze_s: 5 is out of range (allowed 0 to 4)"},
+    {"[idle]\npicture = 'nowhere.png'\n",
+     "x.toml:2:11: idle.picture: cannot read nowhere.png: No such file or directory"},
+    {"[input]\nwait = true\n",
+     "x.toml:2:8: input.wait: is a boolean, wanted a word (allowed auto, yes, no)"},
+    {"[picture]\nmode = '4d'\n", "x.toml:2:8: picture.mode: \"4d\" is unknown (allowed 3d, 2d)"},
     // Of several problems the first in the file.
     {"[sync]\ntolerance_ms = 5000\n[mesh]\ncut_ratio = 1\n",
      "x.toml:2:16: sync.tolerance_ms: 5000 is out of range (allowed 0 to 1000)"},

@@ -36,6 +36,8 @@ Report exampleReport() {
     report.depth = {1.25, 0.5, 0.125};
     report.latencyMs.add(42);
     report.seconds = 4;
+    report.recording = devices::Recorder::Counters{9, 1, 123456, ""};
+    report.keptShare = 0.75;
     return report;
 }
 
@@ -85,6 +87,8 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
         "skipped": {"hidden": 2, "unchanged": 3},
         "conditioner": {"held": 90000.5, "flying": 300.0},
         "depth": {"focus_m": 1.25, "scale": 0.5, "clamped_share": 0.125},
+        "recording": {"written": 9, "left_out": 1, "bytes": 123456, "error": ""},
+        "search_kept_share": 0.75,
         "stages": {
             "upload": {"p50_ms": 50.0, "p99_ms": 99.0},
             "mesh": {"p50_ms": null, "p99_ms": null}

@@ -173,6 +173,17 @@ TEST(FrameSyncGrace, WithoutAPartnerThereIsNothingToWakeFor) {
     EXPECT_EQ(rig.pairs, "0-1");
 }
 
+TEST(FrameSync, ALateClockIsPutRight) {
+    FramePool pool(4);
+    FrameSync sync({.tolerance = 5ms, .colorLate = 12ms});
+    sync.pushDepth(test::tinyFrame(pool, PixelFormat::Depth16, at(100ms)));
+    sync.pushColor(test::tinyFrame(pool, PixelFormat::Rgba8, at(113ms)));
+    sync.flush();
+    const auto pair = sync.next();
+    ASSERT_TRUE(pair);
+    EXPECT_EQ(pair->color.metadata().capturedAt, at(101ms));
+}
+
 TEST(FrameSync, AStepBackDelaysNothing) {
     SyncRig rig;
     for (const char* frame : {"c0", "d0", "d999999", "c33", "d33"}) {

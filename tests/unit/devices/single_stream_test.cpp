@@ -150,4 +150,43 @@ TEST(SingleStream, SaysWhatIsMissing) {
     EXPECT_NE(message(Input{}).find("no stream"), std::string::npos);
 }
 
+// A camera alone goes away and comes back: its companion waits for it.
+TEST(SingleStream, ALostCameraComesBackWithItsCompanion) {
+    Input input = colorAlone(1);
+    input.color = std::make_unique<test::FakeSource>(
+        PixelFormat::Rgba8, test::regularTimes(2, 33ms), test::Then::Disconnects);
+    int reopened = 0;
+    input.reopen.color = [&reopened]() -> std::unique_ptr<Source> {
+        ++reopened;
+        return std::make_unique<test::FakeSource>(PixelFormat::Rgba8,
+                                                  test::regularTimes(3, 33ms, 66ms));
+    };
+    input.colorIsLive = true;
+    Input both = completeStreams(std::move(input));
+    EXPECT_TRUE(both.depthIsLive);
+    const TimePoint soon = std::chrono::steady_clock::now() + 10ms;
+    for (int i = 0; i < 2; ++i)
+        ASSERT_TRUE(std::holds_alternative<Frame>(both.color->read(soon)));
+    for (int i = 0; i < 2; ++i)
+        ASSERT_TRUE(std::holds_alternative<Frame>(both.depth->read(soon)));
+    // Whoever reads first finds out; only the camera's own side is told.
+    EXPECT_TRUE(std::holds_alternative<Timeout>(both.depth->read(soon)));
+    const ReadResult lost = both.color->read(soon);
+    ASSERT_TRUE(std::holds_alternative<Disconnected>(lost));
+    EXPECT_EQ(std::get<Disconnected>(lost).reason, "cable pulled");
+    EXPECT_TRUE(std::holds_alternative<Timeout>(both.color->read(soon))) << "said once";
+    EXPECT_EQ(both.color->counters().delivered, 2U);
+
+    both.color.reset();
+    both.color = both.reopen.color();
+    EXPECT_EQ(reopened, 1);
+    EXPECT_EQ(both.color->counters().delivered, 0U) << "the new one's own";
+    for (int i = 0; i < 3; ++i) {
+        const TimePoint later = std::chrono::steady_clock::now() + 1s;
+        ASSERT_TRUE(std::holds_alternative<Frame>(both.color->read(later)));
+        ASSERT_TRUE(std::holds_alternative<Frame>(both.depth->read(later)));
+    }
+    EXPECT_EQ(both.depth->counters().delivered, 5U);
+}
+
 } // namespace

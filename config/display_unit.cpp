@@ -1,0 +1,54 @@
+#include "config/display_unit.hpp"
+
+#include "config/load.hpp"
+#include "config/phrases.hpp"
+#include "config/text_file.hpp"
+#include "config/vendor_calibration.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace autostereo::config {
+
+namespace {
+
+/// What a unit's file begins with: the assumed one's own text, or a shipped display as its base.
+toml::table startingFrom(const std::string& assumed) {
+    const auto shipped = displayNames();
+    if (std::ranges::find(shipped, assumed) != shipped.end())
+        return toml::table{{"type", loadDisplay(assumed).type}, {"base", assumed}};
+    std::string text = readTextFile(assumed);
+    if (std::filesystem::path(assumed).extension() == ".json")
+        text = importDisplay(vendorOf(text).value_or(Vendor::LookingGlass), assumed, text).toml;
+    try {
+        return toml::parse(text, assumed);
+    } catch (const toml::parse_error& error) {
+        throw ConfigError(oneLine(assumed + ": syntax: " + std::string(error.description())));
+    }
+}
+
+toml::table& tableIn(toml::table& root, const std::string& name) {
+    if (root.get_as<toml::table>(name) == nullptr) root.insert_or_assign(name, toml::table{});
+    return *root.get_as<toml::table>(name);
+}
+
+} // namespace
+
+std::string measuredDisplay(const std::string& assumed, const std::vector<MeasuredValue>& values) {
+    toml::table root = startingFrom(assumed);
+    for (const MeasuredValue& value : values) {
+        tableIn(root, value.table).insert_or_assign(value.key, value.value);
+        tableIn(root, "provenance").insert_or_assign(value.key, "measured");
+        tableIn(root, "notes").insert_or_assign(value.key + "_95", "+- " + plain(value.half95));
+    }
+    std::ostringstream text;
+    text
+        << "# Measured from photographs by autostereo calibrate display; the rest is its model's.\n"
+        << root << '\n';
+    return text.str();
+}
+
+} // namespace autostereo::config

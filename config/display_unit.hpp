@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace autostereo::config {
+
+/// A number of a display file that was measured, in the file's own unit.
+struct MeasuredValue {
+    std::string table, key;
+    double value = 0;
+    double half95 = 0; ///< half of its 95 % interval
+};
+
+/// The display file of one unit: what `assumed` (a shipped display's name, a display file, a
+/// Looking Glass' or CubeVi's own calibration) says, with these numbers in place of its own, each
+/// marked as measured, its interval in [notes]. Reads back to the values to the last digit. Throws
+/// ConfigError.
+[[nodiscard]] std::string measuredDisplay(const std::string& assumed,
+                                          const std::vector<MeasuredValue>& values);
+
+} // namespace autostereo::config

@@ -1,0 +1,51 @@
+#include "config/read_service.hpp"
+
+#include "config/read_picture.hpp"
+#include "config/units.hpp"
+
+#include <stdexcept>
+
+namespace autostereo::config {
+
+namespace {
+
+void readIdle(TomlReader& root, const std::filesystem::path& folder, IdleParams& idle) {
+    auto table = root.table("idle");
+    // The watchdog hears nothing while a picture is frozen: less than half of what it allows.
+    const std::chrono::duration<double> freeze = idle.freeze;
+    idle.freeze = units::durationFromMs(1e3 * table.number("freeze_s", {0, 4}, freeze.count()));
+    const std::string name = table.text("picture", "");
+    if (name.empty()) return;
+    try {
+        idle.picture = readPicture(folder / name);
+    } catch (const std::runtime_error& error) {
+        table.reject("picture", error.what());
+    }
+}
+
+void readMessages(TomlReader& root, IdleParams& idle) {
+    auto table = root.table("messages");
+    constexpr std::size_t kLongest = 200; // what a panel can show in letters that can be read
+    const auto message = [&](const char* key, std::string& text) {
+        text = table.text(key, text);
+        if (text.size() > kLongest) table.reject(key, "is longer than 200 bytes");
+    };
+    message("starting", idle.startingText);
+    message("no_input", idle.noInputText);
+    message("depth_lost", idle.depthLostText);
+    message("color_lost", idle.colorLostText);
+    message("both_lost", idle.bothLostText);
+    message("no_pairs", idle.noPairsText);
+}
+
+} // namespace
+
+void readService(TomlReader& root, const std::filesystem::path& folder, Config& config) {
+    auto control = root.table("control");
+    config.control.socket = control.textOrAuto("socket", config.control.socket);
+    config.control.group = control.text("group", config.control.group);
+    readIdle(root, folder, config.idle);
+    readMessages(root, config.idle);
+}
+
+} // namespace autostereo::config

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "daemon/command_line.hpp"
+#include "daemon/control_server.hpp"
+#include "daemon/session.hpp"
+
+#include <memory>
+
+namespace autostereo::daemon {
+
+/// The operator's wishes, from the control socket to the session. Thread-bound.
+class ControlDesk {
+  public:
+    /// A socket that cannot be opened is warned of: the picture is worth more. Throws ControlError
+    /// for a group that is not there.
+    ControlDesk(const RunOptions& options, const config::Config& config, Session& session);
+
+    /// Answers who asked, a few at a time. Never waits.
+    void serve();
+    /// Reads the configuration again; what is wrong with it goes to the log, and nothing changes.
+    void reload();
+
+  private:
+    [[nodiscard]] ControlReply answer(const ControlRequest& request);
+    [[nodiscard]] ControlReply answerTo(const StatusRequest& request);
+    [[nodiscard]] ControlReply answerTo(const SnapshotRequest& request);
+    [[nodiscard]] ControlReply answerTo(const ReloadRequest& request);
+    [[nodiscard]] ControlReply answerTo(const SetRequest& request);
+    [[nodiscard]] ControlReply answerTo(const ShowRequest& request);
+    void replaceConfiguration();
+
+    SceneOptions options_;
+    config::Config config_;
+    Session& session_;
+    std::unique_ptr<ControlServer> server_; ///< none: no socket
+};
+
+} // namespace autostereo::daemon

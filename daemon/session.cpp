@@ -1,0 +1,303 @@
+#include "daemon/session.hpp"
+
+#include "daemon/picture_files.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace autostereo::daemon {
+
+namespace {
+
+constexpr std::uint64_t kOffscreenFrames = 120; // without --frames
+constexpr std::chrono::seconds kLogInterval{10};
+constexpr std::chrono::seconds kRateInterval{1};
+constexpr std::chrono::milliseconds kFrameWait{16};
+/// Between frames a viewer's picture follows at a display's rate, 60 Hz and some.
+constexpr std::chrono::milliseconds kEyeWait{4}, kEyeInterval{12};
+/// A picture that stands is presented anew: what is behind a window may have lost it.
+constexpr std::chrono::milliseconds kStillInterval{500};
+
+bool sameForm(const devices::FrameMetadata& a, const devices::FrameMetadata& b) {
+    return a.format == b.format && a.width == b.width && a.height == b.height &&
+           a.depthUnitM == b.depthUnitM && a.matrix == b.matrix && a.range == b.range;
+}
+
+bool samePicture(const devices::Frame& a, const devices::Frame& b) {
+    const auto x = a.pixels(), y = b.pixels();
+    return sameForm(a.metadata(), b.metadata()) && std::memcmp(x.data(), y.data(), x.size()) == 0;
+}
+
+bool measuresNothing(const devices::Frame& depth) {
+    return std::ranges::all_of(depth.depth(),
+                               [](std::uint16_t count) { return count == 0 || count == 0xffff; });
+}
+
+double seconds(devices::Duration duration) {
+    return std::chrono::duration<double>(duration).count();
+}
+
+} // namespace
+
+Session::Session(const RunOptions& options, const config::Config& config, Tap sensors)
+    : config_(config), output_(options.output.value_or(chooseOutput(config))),
+      realtime_(options.speed.value_or(config::Speed::Realtime) == config::Speed::Realtime),
+      sensors_(std::move(sensors)),
+      recording_(options.record, options.speed.value_or(config::Speed::Realtime)),
+      input_(waitsForInput() ? std::nullopt : std::make_optional(openScene(config, tap()))),
+      screen_(config, output_, options.force), policy_(config.idle, clock_.now()),
+      shownSince_(clock_.now()), presentedAt_(clock_.now()) {
+    report_.input = config.input;
+    report_.stageNames.assign(gpu::Pipeline::kStages.begin(), gpu::Pipeline::kStages.end());
+    report_.stageMs.resize(report_.stageNames.size());
+    openViewer();
+    screen_.onStageTime([this](std::size_t stage, double ms) { report_.stageMs[stage].add(ms); });
+    if (input_)
+        adopt(std::move(*input_));
+    else
+        waitForInput();
+    input_.reset();
+    if (output_ == config::Output::Offscreen) framesWanted_ = kOffscreenFrames;
+    if (options.frames) framesWanted_ = *options.frames;
+    started_ = clock_.now();
+    ratedAt_ = started_;
+    logAt_ = started_ + kLogInterval;
+    watchdog_.ready();
+}
+
+void Session::openViewer() {
+    const devices::TimePoint start = realtime_ ? clock_.now() : devices::TimePoint{};
+    viewer_ = Viewer::open(config_.viewer, screen_.display(), start, clock_);
+    if (!viewer_) return;
+    if (!realtime_ && viewer_->isLive())
+        throw UsageError("--speed max: " + config_.viewer.source +
+                         " is live; only recordings can be hurried");
+    screen_.followEyes([this] { return viewer_->eyes(realtime_ ? clock_.now() : frameAt_); });
+}
+
+bool Session::waitsForInput() const {
+    return realtime_ && config_.wait.value_or(output_ == config::Output::Window);
+}
+
+Tap Session::tap() {
+    Tap record = recording_.tap(config_);
+    if (!sensors_) return record;
+    return [sensors = sensors_, record](devices::Input input) {
+        input = sensors(std::move(input));
+        return record ? record(std::move(input)) : std::move(input);
+    };
+}
+
+void Session::adopt(devices::Input input) {
+    const calib::SensorRig rig = *input.rig;
+    depthIsLive_ = input.depthIsLive;
+    const bool loop = output_ == config::Output::Window; // a kiosk goes on
+    auto feed = openFeed(std::move(input), config_,
+                         realtime_ ? config::Speed::Realtime : config::Speed::Max, loop, clock_);
+    screen_.start(rig);
+    feed_ = std::move(feed);
+    last_ = {};
+    colorAlone_ = {};
+    policy_.opened(clock_.now());
+}
+
+void Session::waitForInput() {
+    showWithoutPair(); // there is a picture before anything else is tried
+    drawAgain();
+    present();
+    opener_ = std::make_unique<InputOpener>(config_, tap());
+}
+
+void Session::takeInput() {
+    if (!opener_) return;
+    if (auto input = opener_->take()) {
+        opener_.reset();
+        adopt(std::move(*input));
+    }
+}
+
+bool Session::finished() const {
+    return (feed_ && feed_->ended()) ||
+           (framesWanted_ && report_.presented + report_.skippedTotal() >= *framesWanted_);
+}
+
+bool Session::step() {
+    if (screen_.panel().closed() || finished()) return false;
+    takeInput();
+    std::optional<devices::RgbdFrame> frame;
+    if (feed_)
+        frame = feed_->next(viewer_ ? kEyeWait : kFrameWait);
+    else
+        clock_.sleepUntil(clock_.now() + kFrameWait);
+    if (frame && isFresh(*frame))
+        show(std::move(*frame));
+    else if (realtime_)
+        showWithoutPair();
+    if (!frame) followViewer();
+    const bool stands = pattern_ || shown_ == Shown::Idle;
+    if (redraw_ || (stands && clock_.now() - presentedAt_ >= kStillInterval)) {
+        drawAgain();
+        present();
+    }
+    screen_.panel().pollEvents();
+    log();
+    return true;
+}
+
+bool Session::isFresh(const devices::RgbdFrame& frame) {
+    const devices::TimePoint now = clock_.now();
+    // Recordings play as fast as they can be read: what is behind is their time, not the picture.
+    const bool fresh = policy_.arrived(now, depthIsLive_ ? frame.depth.metadata().capturedAt : now);
+    if (fresh || !realtime_) return true;
+    ++report_.skipped["stale"];
+    return false;
+}
+
+void Session::show(devices::RgbdFrame frame) {
+    const devices::TimePoint arrivedAt = clock_.now();
+    if (!pattern_) enter(Shown::Live);
+    policy_.presented(arrivedAt);
+    const bool same = !last_.depth.empty() && samePicture(frame.depth, last_.depth) &&
+                      samePicture(frame.color, last_.color);
+    if (!same) timesShown_ = 0;
+    othersShown_ |= !same && !last_.depth.empty();
+    // What never changed leaves nothing older in the pipeline's memory.
+    const auto times = othersShown_ || timesShown_ == 0 ? timesShown_ : ~std::uint64_t{0};
+    if (pattern_ || (same && !redraw_ && screen_.pipeline()->isStill(times))) {
+        ++report_.skipped[pattern_ ? "pattern" : "unchanged"];
+        last_ = std::move(frame);
+        if (!pattern_) watchdog_.pet(); // what is on the panel is the newest there is
+        followViewer();
+        return;
+    }
+    frameAt_ = frame.depth.metadata().capturedAt;
+    screen_.show(frame);
+    present();
+    ++timesShown_;
+    policy_.presented(clock_.now());
+    if (report_.presented == 0) screen_.keepChoice();
+    ++report_.presented;
+    if (measuresNothing(frame.depth)) ++report_.withoutDepth;
+    if (realtime_)
+        report_.latencyMs.add(1e3 * seconds(clock_.now() - frame.depth.metadata().capturedAt));
+    last_ = std::move(frame);
+}
+
+void Session::showWithoutPair() {
+    const devices::TimePoint now = clock_.now();
+    const auto states = sensors();
+    if (!pattern_ && policy_.wantsColor(now, states)) {
+        if (devices::Frame color = feed_->takeColor(); !color.empty())
+            return showColorAlone(std::move(color));
+    }
+    if (!pattern_) enter(policy_.decide(now, states));
+    const bool idle = !pattern_ && shown_ == Shown::Idle;
+    const std::string message = idle ? policy_.message(now, states) : "";
+    if (message != message_) {
+        if (idle) spdlog::warn("panel: {}", message);
+        message_ = message;
+        redraw_ = true;
+    }
+}
+
+void Session::followViewer() {
+    const bool shown = shown_ == Shown::Live || shown_ == Shown::Frozen;
+    if (!viewer_ || !realtime_ || !shown || pattern_ || redraw_ || last_.depth.empty()) return;
+    if (clock_.now() - presentedAt_ < kEyeInterval) return;
+    screen_.showAgain();
+    present();
+}
+
+void Session::showColorAlone(devices::Frame color) {
+    enter(Shown::ColorAlone);
+    if (colorAlone_.depth.empty()) {
+        const devices::FrameMetadata& depth = last_.depth.metadata();
+        const double focusM = screen_.pipeline()->geometry().law.focusM;
+        colorAlone_.depth = std::move(*flatPool_.acquire(depth));
+        colorAlone_.depth.metadata().hasAmplitude = false;
+        const double counts = std::clamp(focusM / depth.depthUnitM, 1.0, 65534.0);
+        std::ranges::fill(colorAlone_.depth.depth(),
+                          static_cast<std::uint16_t>(std::lround(counts)));
+    }
+    colorAlone_.depth.metadata().capturedAt = color.metadata().capturedAt;
+    colorAlone_.color = std::move(color);
+    screen_.show(colorAlone_);
+    present();
+    policy_.colored(clock_.now());
+}
+
+void Session::enter(Shown shown) {
+    screen_.setFlat(shown == Shown::ColorAlone ||
+                    (shown == Shown::Frozen && shown_ == Shown::ColorAlone));
+    if (shown == shown_) return;
+    if (shown == Shown::Live) message_.clear();
+    spdlog::info("panel: {} after {:.1f} s of {}", shownName(shown),
+                 seconds(clock_.now() - shownSince_), shownName(shown_));
+    shown_ = shown;
+    shownSince_ = clock_.now();
+    if (shown == Shown::Idle) redraw_ = true;
+}
+
+void Session::drawAgain() {
+    redraw_ = false;
+    if (pattern_)
+        screen_.showPattern(*pattern_);
+    else if (shown_ == Shown::Idle)
+        screen_.showMessage(message_);
+    else if (shown_ == Shown::ColorAlone && !colorAlone_.color.empty())
+        screen_.show(colorAlone_);
+    else if (!last_.depth.empty())
+        screen_.show(last_);
+}
+
+void Session::present() {
+    redraw_ = false;
+    screen_.panel().present();
+    presentedAt_ = clock_.now();
+    watchdog_.pet();
+}
+
+void Session::log() {
+    const devices::TimePoint now = clock_.now();
+    if (now - ratedAt_ >= kRateInterval) {
+        rate_ = static_cast<double>(report_.presented - ratedPictures_) / seconds(now - ratedAt_);
+        ratedPictures_ = report_.presented;
+        ratedAt_ = now;
+    }
+    if (now < logAt_) return;
+    logAt_ = now + kLogInterval;
+    spdlog::info("{}", accounts().summary());
+}
+
+std::optional<devices::SensorStatuses> Session::sensors() const {
+    if (!feed_) return std::nullopt;
+    return feed_->sensors();
+}
+
+const Report& Session::accounts() {
+    report_.feed = feed_ ? sum(before_, feed_->counters()) : before_;
+    screen_.account(report_);
+    report_.recording = recording_.counters();
+    report_.seconds = seconds(clock_.now() - started_);
+    return report_;
+}
+
+const Report& Session::close() {
+    watchdog_.stopping();
+    static_cast<void>(accounts());
+    endedWithoutPicture_ = feed_ && feed_->ended() && report_.presented == 0;
+    opener_.reset();
+    feed_.reset();
+    recording_.finish();
+    report_.recording = recording_.counters();
+    return report_;
+}
+
+void Session::writePicture(const std::filesystem::path& file) {
+    writePicturePng(file, screen_.picture());
+}
+
+} // namespace autostereo::daemon

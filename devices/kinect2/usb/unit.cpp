@@ -1,0 +1,146 @@
+#include "devices/kinect2/usb/unit.hpp"
+
+#include "devices/input.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <pthread.h>
+
+namespace autostereo::devices::kinect2 {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr int kInterfaces = 2;
+/// 48 ms of isochronous intervals and half a picture: kUsbMemoryMib with what the kernel adds.
+constexpr UsbStream::Shape kDepthStream{0x84, 12, 32, 33792};
+constexpr UsbStream::Shape kColorStream{0x83, 8, 0, 32768};
+/// Between looks at the stop token.
+constexpr auto kSlice = milliseconds(50);
+
+TimePoint now() { return std::chrono::steady_clock::now(); }
+
+} // namespace
+
+Unit::Unit(const UnitNode& node, std::shared_ptr<UnitPatience> patience)
+    : name_("kinect2 " + node.serial), patience_(std::move(patience)),
+      link_(std::make_unique<UsbLink>(node.node, kInterfaces)),
+      facts_(UnitControl(*link_).start()) {
+    startStreams();
+    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+Unit::~Unit() {
+    thread_.request_stop();
+    if (thread_.joinable()) thread_.join();
+}
+
+void Unit::startStreams() try {
+    streams_.push_back(std::make_unique<UsbStream>(
+        *link_, kColorStream,
+        [this](std::span<const std::byte> bytes, bool intact) { takeColor(bytes, intact); }));
+    streams_.push_back(std::make_unique<UsbStream>(
+        *link_, kDepthStream,
+        [this](std::span<const std::byte> bytes, bool intact) { takeDepth(bytes, intact); }));
+    // Five of these periods: starting anew takes longer than a program that was kept waiting.
+    patience_->depth.start(now(), milliseconds(100));
+    patience_->color.start(now(), milliseconds(133)); // 15 pictures a second in the dark
+} catch (const DeviceError&) {
+    shutDown();
+    throw;
+}
+
+Unit::Counters Unit::counters() const {
+    const std::lock_guard lock(mutex_);
+    return counters_;
+}
+
+std::string Unit::whyLost() const {
+    const std::lock_guard lock(mutex_);
+    return whyLost_;
+}
+
+void Unit::run(const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "kinect2-usb");
+    while (!stop.stop_requested() && !link_->lost()) {
+        link_->handleEvents(kSlice);
+        for (const auto& stream : streams_)
+            if (!link_->lost()) stream->revive();
+        watchSilence();
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        whyLost_ = name_ + ": " + link_->lost().value_or("it is being closed");
+    }
+    shutDown();
+    lost_.store(true, std::memory_order_release); // now it may be opened again
+    depth_.close();
+    color_.close();
+}
+
+void Unit::watchSilence() {
+    if (link_->lost()) return;
+    const TimePoint time = now();
+    for (SilenceWatch* watch : {&patience_->depth, &patience_->color}) {
+        if (time < watch->deadline()) continue;
+        watch->expired();
+        link_->lose(watch == &patience_->depth ? "no depth comes any more"
+                                               : "no colour comes any more");
+    }
+}
+
+void Unit::takeDepth(std::span<const std::byte> packet, bool intact) {
+    if (!packet.empty()) patience_->depth.frame(now(), Duration(0));
+    const bool complete = depthPackets_.append(packet, intact);
+    if (!complete && intact) return;
+    {
+        const std::lock_guard lock(mutex_);
+        counters_.depth = depthPackets_.counters();
+    }
+    if (!complete) return;
+    depthPackets_.swapFrame(nextDepth_.frame);
+    nextDepth_.capturedAt = clock_.depth(nextDepth_.frame.timestamp, now());
+    depth_.put(nextDepth_);
+}
+
+void Unit::takeColor(std::span<const std::byte> packet, bool intact) {
+    if (!packet.empty()) patience_->color.frame(now(), Duration(0));
+    if (!intact) colorPackets_.reset();
+    const auto picture = intact ? colorPackets_.append(packet) : std::nullopt;
+    if (!picture && intact) return;
+    {
+        const std::lock_guard lock(mutex_);
+        counters_.color = colorPackets_.counters();
+    }
+    if (!picture) return;
+    nextColor_.jpeg.assign(picture->jpeg.begin(), picture->jpeg.end());
+    nextColor_.sequence = picture->sequence;
+    nextColor_.capturedAt = clock_.color(picture->timestamp, picture->exposureMs, now());
+    color_.put(nextColor_);
+}
+
+void Unit::shutDown() try {
+    constexpr auto kLongest = std::chrono::seconds(2);
+    for (const auto& stream : streams_)
+        stream->cancel();
+    const TimePoint end = now() + kLongest;
+    const auto idle = [&] {
+        return std::ranges::all_of(streams_, [](const auto& stream) { return stream->idle(); });
+    };
+    while (!idle() && now() < end)
+        link_->handleEvents(kSlice);
+    if (!link_->lost() && idle()) UnitControl(*link_).stop();
+    streams_.clear();
+    link_.reset();
+} catch (const std::exception& error) {
+    spdlog::debug("{}: while it was stopped: {}", name_, error.what());
+    streams_.clear();
+    link_.reset();
+}
+
+} // namespace autostereo::devices::kinect2

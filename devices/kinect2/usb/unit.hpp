@@ -1,0 +1,87 @@
+#pragma once
+
+#include "devices/kinect2/color_packets.hpp"
+#include "devices/kinect2/depth_packets.hpp"
+#include "devices/kinect2/unit_clock.hpp"
+#include "devices/kinect2/usb/find_units.hpp"
+#include "devices/kinect2/usb/unit_control.hpp"
+#include "devices/kinect2/usb/usb_stream.hpp"
+#include "devices/latest.hpp"
+#include "devices/silence_watch.hpp"
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace autostereo::devices::kinect2 {
+
+struct TimedDepth {
+    RawDepthFrame frame;
+    TimePoint capturedAt{};
+};
+struct TimedColor {
+    std::vector<std::byte> jpeg; ///< mirrored, as the camera sends it
+    std::uint32_t sequence = 0;
+    TimePoint capturedAt{};
+};
+
+/// How long the streams of a camera may be silent, also of one that comes back.
+struct UnitPatience {
+    SilenceWatch depth;
+    SilenceWatch color;
+};
+
+/// A running camera. A thread of its own takes packets off the bus and puts frames together, which
+/// may be silent or lost as a whole: then the device is closed and the unit is of no more use.
+/// Thread-safe but for its construction.
+class Unit {
+  public:
+    struct Counters {
+        DepthPackets::Counters depth;
+        ColorPackets::Counters color;
+    };
+
+    /// Opens and starts it, about a quarter of a second. Throws DeviceError.
+    Unit(const UnitNode& node, std::shared_ptr<UnitPatience> patience);
+    ~Unit();
+    Unit(const Unit&) = delete;
+    Unit& operator=(const Unit&) = delete;
+
+    [[nodiscard]] const UnitFacts& facts() const { return facts_; }
+    /// The newest one that nobody has yet; each for one reader. They end when it is lost.
+    [[nodiscard]] Latest<TimedDepth>& depth() { return depth_; }
+    [[nodiscard]] Latest<TimedColor>& color() { return color_; }
+    [[nodiscard]] Counters counters() const;
+    [[nodiscard]] bool lost() const { return lost_.load(std::memory_order_acquire); }
+    [[nodiscard]] std::string whyLost() const;
+
+  private:
+    void startStreams();
+    void run(const std::stop_token& stop);
+    void watchSilence();
+    void takeDepth(std::span<const std::byte> packet, bool intact);
+    void takeColor(std::span<const std::byte> packet, bool intact);
+    void shutDown();
+
+    std::string name_;
+    std::shared_ptr<UnitPatience> patience_;
+    std::unique_ptr<UsbLink> link_; ///< none: closed
+    UnitFacts facts_;
+    UnitClock clock_;
+    DepthPackets depthPackets_;
+    ColorPackets colorPackets_;
+    TimedDepth nextDepth_;
+    TimedColor nextColor_;
+    std::vector<std::unique_ptr<UsbStream>> streams_;
+    Latest<TimedDepth> depth_;
+    Latest<TimedColor> color_;
+    mutable std::mutex mutex_;
+    Counters counters_;   ///< under mutex_
+    std::string whyLost_; ///< under mutex_
+    std::atomic<bool> lost_{false};
+    std::jthread thread_; // last: it uses all of the above
+};
+
+} // namespace autostereo::devices::kinect2

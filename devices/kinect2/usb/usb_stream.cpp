@@ -1,0 +1,134 @@
+#include "devices/kinect2/usb/usb_stream.hpp"
+
+#include "devices/input.hpp"
+#include "devices/kinect2/usb/find_units.hpp"
+
+#include <libusb.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace autostereo::devices::kinect2 {
+
+namespace {
+
+/// A quarter of a second of isochronous transfers.
+constexpr int kMostFailures = 64;
+
+} // namespace
+
+/// One transfer with its memory.
+class UsbStream::Transfer {
+  public:
+    Transfer(UsbStream& stream, const Shape& shape, libusb_device_handle* handle)
+        : stream_(stream), buffer_(static_cast<std::size_t>(shape.bytes())),
+          raw_(libusb_alloc_transfer(shape.packets)) {
+        if (!raw_) throw DeviceError("kinect2: no memory for USB transfers");
+        auto* bytes = reinterpret_cast<unsigned char*>(buffer_.data());
+        if (shape.packets > 0) {
+            libusb_fill_iso_transfer(raw_.get(), handle, shape.endpoint, bytes, shape.bytes(),
+                                     shape.packets, whenEnded, this, 0);
+            libusb_set_iso_packet_lengths(raw_.get(), static_cast<unsigned>(shape.packetBytes));
+        } else {
+            libusb_fill_bulk_transfer(raw_.get(), handle, shape.endpoint, bytes, shape.bytes(),
+                                      whenEnded, this, 0);
+        }
+    }
+
+    [[nodiscard]] libusb_transfer& raw() const { return *raw_; }
+    [[nodiscard]] std::span<const std::byte> bytes() const { return buffer_; }
+    bool onItsWay = false;
+
+  private:
+    struct Free {
+        void operator()(libusb_transfer* transfer) const { libusb_free_transfer(transfer); }
+    };
+    static void LIBUSB_CALL whenEnded(libusb_transfer* raw) {
+        auto& self = *static_cast<Transfer*>(raw->user_data);
+        self.stream_.ended(self);
+    }
+
+    UsbStream& stream_;
+    std::vector<std::byte> buffer_;
+    std::unique_ptr<libusb_transfer, Free> raw_;
+};
+
+UsbStream::UsbStream(UsbLink& link, const Shape& shape, Sink sink)
+    : link_(link), shape_(shape), sink_(std::move(sink)) {
+    for (int i = 0; i < shape.transfers; ++i) {
+        transfers_.push_back(std::make_unique<Transfer>(*this, shape_, link_.handle()));
+        submit(*transfers_.back());
+        if (transfers_.back()->onItsWay) continue;
+        const std::string why = link_.lost().value_or(
+            "the kernel has no memory for its USB transfers, " + std::to_string(kUsbMemoryMib) +
+            " MiB are needed: add usbcore.usbfs_memory_mb=64 to the kernel's command line");
+        cancel();
+        for (int turn = 0; !idle() && turn < shape.transfers; ++turn)
+            link_.handleEvents(std::chrono::milliseconds(100));
+        throw DeviceError("kinect2: cannot stream: " + why);
+    }
+}
+
+UsbStream::~UsbStream() {
+    // What the kernel does not give back may not be freed.
+    for (auto& transfer : transfers_)
+        if (transfer->onItsWay) static_cast<void>(transfer.release());
+}
+
+void UsbStream::submit(Transfer& transfer) {
+    const int answer = libusb_submit_transfer(&transfer.raw());
+    if (answer == LIBUSB_ERROR_NO_DEVICE) link_.lose("it was unplugged");
+    transfer.onItsWay = answer == 0;
+    onTheirWay_ += transfer.onItsWay ? 1 : 0;
+}
+
+void UsbStream::revive() {
+    for (const auto& transfer : transfers_)
+        if (!transfer->onItsWay && !cancelled_ && !link_.lost()) submit(*transfer);
+    if (idle() && !cancelled_) link_.lose("the kernel takes no USB transfers any more");
+}
+
+void UsbStream::cancel() {
+    cancelled_ = true;
+    for (const auto& transfer : transfers_)
+        if (transfer->onItsWay) libusb_cancel_transfer(&transfer->raw());
+}
+
+void UsbStream::ended(Transfer& transfer) {
+    --onTheirWay_;
+    transfer.onItsWay = false;
+    const libusb_transfer_status status = transfer.raw().status;
+    if (status == LIBUSB_TRANSFER_NO_DEVICE) link_.lose("it was unplugged");
+    if (cancelled_ || link_.lost()) return;
+    if (status == LIBUSB_TRANSFER_COMPLETED)
+        deliver(transfer);
+    else
+        countFailure(status);
+    if (!link_.lost()) submit(transfer);
+}
+
+void UsbStream::deliver(const Transfer& transfer) {
+    failures_ = 0;
+    const libusb_transfer& raw = transfer.raw();
+    const auto bytes = transfer.bytes();
+    if (shape_.packets == 0) {
+        sink_(bytes.first(static_cast<std::size_t>(std::clamp(raw.actual_length, 0, raw.length))),
+              true);
+        return;
+    }
+    for (int i = 0; i < raw.num_iso_packets; ++i) {
+        const libusb_iso_packet_descriptor& packet = raw.iso_packet_desc[i];
+        const auto room = bytes.subspan(static_cast<std::size_t>(i) * packet.length, packet.length);
+        const bool intact = packet.status == LIBUSB_TRANSFER_COMPLETED;
+        sink_(room.first(std::min(packet.actual_length, packet.length)), intact);
+    }
+}
+
+void UsbStream::countFailure(int status) {
+    sink_({}, false);
+    if (status == LIBUSB_TRANSFER_STALL) link_.lose("it stopped a stream");
+    if (++failures_ > kMostFailures) link_.lose("nothing comes through the bus any more");
+}
+
+} // namespace autostereo::devices::kinect2

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "devices/kinect2/usb/usb_link.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace autostereo::devices::kinect2 {
+
+/// Transfers of one IN endpoint that are always on their way, in order. What goes wrong with single
+/// packets is the sink's to know; an endpoint where nothing works any more loses the link.
+/// Thread-bound: everything happens in the link's `handleEvents`.
+class UsbStream {
+  public:
+    struct Shape {
+        std::uint8_t endpoint = 0;
+        int transfers = 0;
+        int packets = 0; ///< of each transfer; 0: bulk
+        int packetBytes = 0;
+
+        [[nodiscard]] int bytes() const {
+            return packets > 0 ? packets * packetBytes : packetBytes;
+        }
+    };
+    /// One packet or bulk transfer; `intact`: the bus reports no error.
+    using Sink = std::function<void(std::span<const std::byte> packet, bool intact)>;
+
+    /// Throws DeviceError where the kernel does not take them all, with what to do. The link must
+    /// outlive the stream.
+    UsbStream(UsbLink& link, const Shape& shape, Sink sink);
+    /// What is still on its way (see `idle`) is left to the kernel for ever.
+    ~UsbStream();
+    UsbStream(const UsbStream&) = delete;
+    UsbStream& operator=(const UsbStream&) = delete;
+
+    /// Sends again what the kernel had no memory for.
+    void revive();
+    /// Ends all transfers, one by one in `handleEvents`.
+    void cancel();
+    [[nodiscard]] bool idle() const { return onTheirWay_ == 0; }
+
+  private:
+    class Transfer;
+    void ended(Transfer& transfer);
+    void submit(Transfer& transfer);
+    void deliver(const Transfer& transfer);
+    void countFailure(int status);
+
+    UsbLink& link_;
+    Shape shape_;
+    Sink sink_;
+    std::vector<std::unique_ptr<Transfer>> transfers_;
+    int onTheirWay_ = 0;
+    int failures_ = 0; ///< transfers in a row that brought nothing
+    bool cancelled_ = false;
+};
+
+} // namespace autostereo::devices::kinect2

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "devices/tracking/eye_source.hpp"
+#include "devices/tracking/params.hpp"
+
+#include <memory>
+
+namespace autostereo::devices {
+
+/// Opens params.source: `file:TRACE` (eye_trace.hpp; its zero is `start`) or
+/// `opentrack:[ADDRESS:]PORT` (loopback without an address). `nominal`: the middle of the display's
+/// nominal eyes, which a tracker without an origin counts from. `clock` must outlive it. Throws
+/// DeviceError.
+[[nodiscard]] std::unique_ptr<EyeSource>
+openEyes(const ViewerParams& params, const glm::dvec3& nominal, TimePoint start, Clock& clock);
+
+} // namespace autostereo::devices

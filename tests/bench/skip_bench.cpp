@@ -1,0 +1,151 @@
+// What it saves to search only where something changed, whole pipeline, CPU time of all threads per
+// frame (llvmpipe: the GPU's work is in it), medians; contenders take turns. As a table.
+//
+// Still scene: two seconds with time-of-flight noise, then measured. Motion: a part f of the depth
+// picture's columns moves to and fro, the rest is without noise.
+
+#include "config/load.hpp"
+#include "devices/sim/simulation.hpp"
+#include "gpu/gl/context.hpp"
+#include "gpu/pipeline.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace autostereo;
+
+constexpr int kWidth = 960, kHeight = 540;
+constexpr int kTwoSeconds = 60, kMeasured = 20; // frames
+
+double cpuMs() {
+    std::timespec time{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+double median(std::vector<double> times) {
+    std::ranges::sort(times);
+    return times[times.size() / 2];
+}
+
+devices::Frame next(devices::Source& source) {
+    return std::get<devices::Frame>(source.read(devices::TimePoint::max()));
+}
+
+calib::DisplayProfile display() {
+    calib::DisplayProfile display = config::loadDisplay("slanted-8view-1080p");
+    display.width = kWidth;
+    display.height = kHeight;
+    return display;
+}
+
+/// The pipeline with or without skipping, and its panel.
+struct Contender {
+    Contender(const calib::SensorRig& rig, bool skips)
+        : target(GL_RGBA8, kWidth, kHeight), panel(gpu::gl::makeFramebuffer(target)),
+          pipeline(params(skips), rig, display(), kWidth, kHeight) {}
+    static gpu::PipelineParams params(bool skips) {
+        gpu::PipelineParams params;
+        params.synthesis.keepRoots = skips;
+        return params;
+    }
+    void draw(const devices::RgbdFrame& frame, bool counts) {
+        const double start = cpuMs();
+        pipeline.render(frame, panel.name());
+        glFinish();
+        if (counts) times.push_back(cpuMs() - start);
+    }
+
+    gpu::gl::Texture target;
+    gpu::gl::Framebuffer panel;
+    gpu::Pipeline pipeline;
+    std::vector<double> times;
+};
+
+/// `depth` and `color` give each frame's pictures from its number.
+struct Scene {
+    std::string name;
+    std::function<devices::RgbdFrame(int)> frame;
+    calib::SensorRig rig;
+    double dirty = -1; ///< share of the columns; -1: none on purpose
+};
+
+void measure(const Scene& scene) {
+    Contender full(scene.rig, false), skipping(scene.rig, true);
+    gpu::FrameUploader uploader;
+    std::vector<double> uploads;
+    for (int i = 0; i < kTwoSeconds + kMeasured; ++i) {
+        const devices::RgbdFrame frame = scene.frame(i);
+        const bool counts = i >= kTwoSeconds;
+        full.draw(frame, counts);
+        skipping.draw(frame, counts);
+        const double start = cpuMs();
+        uploader.upload(frame);
+        glFinish();
+        if (counts) uploads.push_back(cpuMs() - start);
+    }
+    const double whole = median(full.times), less = median(skipping.times);
+    const double upload = median(uploads) / whole;
+    std::printf("| %s | %.1f | %.1f | %.1f %% | %.1f %% |", scene.name.c_str(), whole, less,
+                100 * upload, 100 * (1 - less / whole));
+    if (scene.dirty >= 0)
+        std::printf(" %.1f %% against %.1f %% |\n", 100 * less / whole,
+                    100 * (1.15 * scene.dirty + 0.01 + upload));
+    else
+        std::printf(" |\n");
+    std::fflush(stdout);
+}
+
+/// A room seen with noise in depth, in colour or in both.
+Scene stillRoom(const std::string& name, bool colorNoise) {
+    const std::string uri = "sim:room?depth=320x288&color=640x480";
+    auto noisy = std::make_shared<devices::Input>(devices::sim::openSimulation(uri));
+    auto clean = std::make_shared<devices::Input>(devices::sim::openSimulation(uri + "&noise=off"));
+    return {name,
+            [=](int) {
+                return devices::RgbdFrame{next(*noisy->depth),
+                                          next(colorNoise ? *noisy->color : *clean->color)};
+            },
+            *noisy->rig};
+}
+
+/// Columns in the middle come nearer and go back.
+Scene moving(double share) {
+    auto input = std::make_shared<devices::Input>(
+        devices::sim::openSimulation("sim:room?depth=320x288&color=640x480&noise=off"));
+    return {"motion in " + std::to_string(static_cast<int>(100 * share)) + " % of the columns",
+            [=](int i) {
+                devices::RgbdFrame frame{next(*input->depth), next(*input->color)};
+                const int width = frame.depth.metadata().width;
+                const int columns = static_cast<int>(share * width), first = (width - columns) / 2;
+                const auto depth = frame.depth.depth();
+                for (std::size_t k = 0; k < depth.size(); ++k) {
+                    const int x = static_cast<int>(k % static_cast<std::size_t>(width)) - first;
+                    if (x >= 0 && x < columns)
+                        depth[k] = static_cast<std::uint16_t>(i % 2 == 0 ? 1000 : 1300);
+                }
+                return frame;
+            },
+            *input->rig, share};
+}
+
+} // namespace
+
+int main() {
+    const gpu::gl::SurfacelessContext context(false);
+    std::puts("| scene, 320x288 depth, 960x540 panel | everywhere (ms) | skipping (ms) | bare "
+              "upload | saved | cost of full, against 1.15 f + 1 % + upload |\n"
+              "|---|---|---|---|---|---|");
+    measure(stillRoom("still, noisy depth", false));
+    measure(stillRoom("still, noisy depth and colour", true));
+    for (const double share : {0.0, 0.05, 0.1, 0.25, 0.5, 1.0})
+        measure(moving(share));
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,122 @@
+// From the camera's raw phases on the bus to the panel that the program shows, against double
+// precision.
+
+#include "config/load.hpp"
+#include "daemon/wiring.hpp"
+#include "devices/kinect2/mirror.hpp"
+#include "devices/kinect2/registration.hpp"
+#include "devices/kinect2/usb/unit_sources.hpp"
+#include "devices/replay/image_files.hpp"
+#include "tests/device/kinect2/kinect2_fixture.hpp"
+#include "tests/oracle/panel_differences.hpp"
+#include "tests/support/gl_fixture.hpp"
+#include "tests/support/gl_scene.hpp"
+#include "tests/support/gl_search_input.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace autostereo::test {
+namespace {
+
+using namespace devices::kinect2;
+
+constexpr const char* kConfig = R"([depth]
+follow = "never"
+)";
+constexpr const char* kDisplay = R"(base = "slanted-8view-1080p"
+[panel]
+width = 480
+height = 270
+)";
+
+/// What the source has to make of the first exposure and JPEG, without any bus.
+devices::RgbdFrame expectedPair(devices::FramePool& pool) {
+    const ExpectedPictures& expected = expectedPictures();
+    devices::RgbdFrame pair;
+    devices::FrameMetadata form;
+    form.format = devices::PixelFormat::Depth16;
+    form.width = kWidth;
+    form.height = kHeight;
+    form.depthUnitM = kDepthUnitM;
+    form.hasAmplitude = true;
+    pair.depth = *pool.acquire(form);
+    std::ranges::copy(expected.depth[0], pair.depth.depth().begin());
+    std::ranges::copy(expected.infrared[0], pair.depth.amplitude().begin());
+    form = {};
+    form.width = kColorWidth;
+    form.height = kColorHeight;
+    pair.color = *pool.acquire(form);
+    std::ranges::copy(expected.color[0], pair.color.pixels().begin());
+    return pair;
+}
+
+gpu::RgbImage readPanel(const std::string& file) {
+    devices::ImageReader reader;
+    const devices::ImageHeader header = reader.open(file);
+    std::vector<std::byte> rgba(header.bytes());
+    reader.decode(rgba);
+    gpu::RgbImage image{header.width, header.height, {}};
+    for (std::size_t i = 0; i < rgba.size(); ++i)
+        if (i % 4 != 3) image.pixels.push_back(std::to_integer<std::uint8_t>(rgba[i]));
+    return image;
+}
+
+TEST_F(Kinect2Test, TheProgramShowsWhatStandsBeforeTheCamera) {
+    Kinect2Show show = stairsShow(5);
+    show.exposures.resize(1); // a still picture: the program draws it once
+    show.jpegs.resize(1);
+    camera.emplace(show);
+    plugInAgain();
+    const ScratchFolder folder;
+    const std::string display = folder.write("small.toml", kDisplay);
+    ProgramCall call;
+    call.program = AUTOSTEREO_PROGRAM;
+    call.arguments = {"run",
+                      "--input",
+                      "kinect2:",
+                      "--config",
+                      folder.write("c.toml", kConfig),
+                      "--display",
+                      display,
+                      "--output",
+                      "offscreen",
+                      "--frames",
+                      "1",
+                      "--snapshot",
+                      folder / "panel.png"};
+    call.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
+    const ProgramResult result = runProgram(call);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const gpu::RgbImage image = readPanel(folder / "panel.png");
+    plug.reset();
+
+    const gpu::gl::SurfacelessContext context(true);
+    daemon::SceneOptions options;
+    options.config = folder / "c.toml";
+    const calib::DisplayProfile profile = config::loadDisplay(display);
+    const calib::SensorRig rig = mirrored(fitRig(parseColorPage(colorPage(show.unit)),
+                                                 parseDepthCameraPage(depthCameraPage(show.unit)))
+                                              .rig);
+    gpu::Pipeline pipeline(daemon::pipelineParams(daemon::configuration(options), true), rig,
+                           profile, profile.width, profile.height);
+    devices::FramePool pool(2);
+    const devices::RgbdFrame pair = expectedPair(pool);
+    pipeline.prepare(pair);
+    const oracle::SearchedPanel truth(profile, profile.width, profile.height,
+                                      gpu::ViewPositions::Continuous, 1.0 / 3);
+    const oracle::Differences found =
+        oracle::compare(image, searchInput(rig, pipeline, colorPicture(pair.color)), truth, 3);
+    std::printf("%lld ms; panel against double precision: %.2f dB, max %.0f, more than 2/255: %zu "
+                "of %zu\n",
+                static_cast<long long>(result.wall.count()), found.psnr(), found.largest,
+                found.overTwo, found.samples);
+    // As of the direct method alone: rounding to 8 bits and the filter's 8-bit weights.
+    EXPECT_GE(found.psnr(), 55.5);
+    EXPECT_EQ(found.unexplained, 0U);
+}
+
+} // namespace
+} // namespace autostereo::test
