@@ -116,6 +116,18 @@ bool Picture::copyTo(const StreamShape& shape, std::span<std::byte> pixels) cons
 }
 
 struct Device::Handles {
+    Handles(Session& in, std::string name) : session(in), uri(std::move(name)) {
+        const auto entered = session.enter(uri);
+        if (!entered)
+            throw DeviceError("openni2: " + uri + " is still open from before it was lost", true);
+        losses = *entered;
+    }
+    Handles(const Handles&) = delete;
+    Handles& operator=(const Handles&) = delete;
+
+    Session& session;
+    std::string uri;
+    std::uint64_t losses = 0; ///< before it was opened
     OniDeviceHandle device = nullptr;
     std::vector<OniStreamHandle> streams;
     bool recording = false;
@@ -128,11 +140,11 @@ struct Device::Handles {
         for (OniStreamHandle stream : streams)
             oniStreamDestroy(stream);
         if (device != nullptr) oniDeviceClose(device);
+        session.leave(uri, losses);
     }
 };
 
-Device::Device(const DeviceRequest& request)
-    : session_(Session::get()), handles_(std::make_unique<Handles>()) {
+Device::Device(const DeviceRequest& request) : session_(Session::get()) {
     openDevice(request);
     for (const Sensor sensor : request.sensors)
         addStream(sensor, request);
@@ -148,7 +160,7 @@ void Device::openDevice(const DeviceRequest& request) {
                           "OpenNI2/Drivers beside libOpenNI2.so.0)",
                           true);
     uri_ = request.uri.empty() ? found.front().uri : request.uri;
-    lossesBefore_ = session_->losses(uri_);
+    handles_ = std::make_unique<Handles>(*session_, uri_);
     if (oniDeviceOpen(uri_.c_str(), &handles_->device) != ONI_STATUS_OK) {
         handles_->device = nullptr;
         throw DeviceError("openni2: cannot open " + uri_ + ": " + lastReason(),
@@ -260,6 +272,6 @@ std::optional<Picture> Device::next(Duration wait) {
     return Picture(std::make_unique<Picture::Handle>(frame), shapes_[index].sensor);
 }
 
-bool Device::lost() const { return session_->losses(uri_) != lossesBefore_; }
+bool Device::lost() const { return session_->losses(uri_) != handles_->losses; }
 
 } // namespace autostereo::devices::openni2

@@ -91,7 +91,6 @@ class Device {
     std::vector<StreamShape> shapes_;
     std::string uri_;
     std::string name_;
-    std::uint64_t lossesBefore_ = 0;
     bool registered_ = false;
     bool recording_ = false;
 };

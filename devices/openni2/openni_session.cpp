@@ -4,6 +4,8 @@
 
 #include <OniCAPI.h>
 
+#include <algorithm>
+
 namespace autostereo::devices::openni2 {
 
 namespace {
@@ -62,6 +64,24 @@ std::vector<FoundDevice> Session::devices() const {
             {list[i].uri, list[i].vendor, list[i].name, list[i].usbVendorId, list[i].usbProductId});
     oniReleaseDeviceList(list);
     return result;
+}
+
+std::optional<std::uint64_t> Session::enter(const std::string& uri) {
+    const std::lock_guard lock(mutex_);
+    const std::uint64_t losses = losses_[uri];
+    const auto [first, last] = open_.equal_range(uri);
+    if (std::any_of(first, last, [&](const auto& open) { return open.second != losses; }))
+        return std::nullopt;
+    open_.emplace(uri, losses);
+    return losses;
+}
+
+void Session::leave(const std::string& uri, std::uint64_t losses) {
+    const std::lock_guard lock(mutex_);
+    const auto [first, last] = open_.equal_range(uri);
+    const auto found =
+        std::find_if(first, last, [&](const auto& open) { return open.second == losses; });
+    if (found != last) open_.erase(found);
 }
 
 std::uint64_t Session::losses(const std::string& uri) const {

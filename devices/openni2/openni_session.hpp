@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,11 @@ class Session {
     Session& operator=(const Session&) = delete;
 
     [[nodiscard]] std::vector<FoundDevice> devices() const;
+    /// Counts a device about to be opened, until `leave` with the same two values. Returns how
+    /// often it was lost so far. Nothing while it is still open from before it was lost: the
+    /// library would lend that one again, whose streams are silent.
+    [[nodiscard]] std::optional<std::uint64_t> enter(const std::string& uri);
+    void leave(const std::string& uri, std::uint64_t losses);
     /// How often the device was lost or broken so far: streams of a lost device only fall silent.
     [[nodiscard]] std::uint64_t losses(const std::string& uri) const;
 
@@ -42,6 +48,7 @@ class Session {
 
     mutable std::mutex mutex_;
     std::map<std::string, std::uint64_t> losses_;
+    std::multimap<std::string, std::uint64_t> open_; ///< with their losses when they were opened
     OniCallbackHandleImpl* callbacks_ = nullptr;
 };
 

@@ -182,6 +182,17 @@ TEST_F(OpenNi, OpensAndClosesAgainAndAgain) {
     }
 }
 
+TEST_F(OpenNi, ALostDeviceIsNotLentAgain) {
+    const auto session = Session::get();
+    const SimulatedPlug plug;
+    auto color = open(kColor);
+    plug.pull();
+    plug.plug();
+    EXPECT_THROW(open(kDepth), DeviceError) << "the library would lend the silent one";
+    color.reset();
+    EXPECT_TRUE(nextFrame(*open(kDepth)));
+}
+
 TEST_F(OpenNi, IsLostAndFoundAtAnyMoment) {
     const auto session = Session::get();
     const SimulatedPlug plug;
