@@ -3,6 +3,7 @@
 #include "gpu/scene_geometry.hpp"
 #include "tests/oracle/view_oracle.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -97,54 +98,75 @@ inline DepthGrid sureDepth(const FusionInput& in, const DepthGrid& measured) {
 }
 
 struct Neighbour {
-    double z = 0, cost = 0;
+    double z = 0;
     int steps = 0;
 };
 
+/// The first texel each way along row and column that has sure depth.
 inline std::vector<Neighbour> neighbours(const FusionInput& in, const DepthGrid& sure, int x,
                                          int y) {
     std::vector<Neighbour> found;
-    const auto own = colorOf(in, x, y);
     for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
         for (int steps = 1; steps <= in.fillReach; ++steps) {
             const int i = x + dx * steps, j = y + dy * steps;
             if (!sure.has(i, j)) break;
-            const double z = sure.at(i, j), within = sure.at(i + 2 * dx, j + 2 * dy);
-            if (z == 0) continue;
-            const bool inner = within > 0 && oneSurface(in, within, z);
-            const auto color = inner ? colorOf(in, i + 2 * dx, j + 2 * dy) : colorOf(in, i, j);
-            double off = 0;
-            for (std::size_t c = 0; c < 3; ++c)
-                off += (own[c] - color[c]) * (own[c] - color[c]);
-            found.push_back({z, 40 * off + steps, steps});
+            if (sure.at(i, j) == 0) continue;
+            found.push_back({sure.at(i, j), steps});
             break;
         }
     return found;
 }
 
-inline double filled(const FusionInput& in, double measured, const std::vector<Neighbour>& found) {
+/// Of the first three measurements each way within reach: the nearest whose colour is alike, else
+/// the one whose colour is most alike; the first one found of equals.
+inline double surfaceByColor(const FusionInput& in, const DepthGrid& measured, int x, int y,
+                             double otherwise) {
+    struct Sample {
+        double z = 0, off = 0;
+    };
+    std::vector<Sample> samples;
+    const auto own = colorOf(in, x, y);
+    for (const auto& [dx, dy] :
+         {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, 1}, {1, -1}, {-1, 1}})
+        for (int steps = 1, seen = 0; steps <= in.edgeReach && seen < 3; ++steps) {
+            const int i = x + dx * steps, j = y + dy * steps;
+            if (!measured.has(i, j)) break;
+            if (measured.at(i, j) == 0) continue;
+            ++seen;
+            const auto color = colorOf(in, i, j);
+            double off = 0;
+            for (std::size_t c = 0; c < 3; ++c)
+                off += (own[c] - color[c]) * (own[c] - color[c]);
+            samples.push_back({measured.at(i, j), off});
+        }
+    if (samples.empty()) return otherwise;
+    const double like = in.band > 0 ? 0.08 : 0.005;
+    const auto isAlike = [&](const Sample& sample) { return sample.off < like; };
+    if (std::ranges::none_of(samples, isAlike))
+        return std::ranges::min_element(samples, {}, &Sample::off)->z;
+    std::erase_if(samples, [&](const Sample& sample) { return !isAlike(sample); });
+    return std::ranges::min_element(samples, {}, &Sample::z)->z;
+}
+
+inline double filled(const FusionInput& in, const DepthGrid& measured, int x, int y,
+                     const std::vector<Neighbour>& found) {
     double nearest = 1e30, farthest = 0;
-    bool alone = measured > 0;
+    bool alone = measured.at(x, y) > 0;
     for (const Neighbour& n : found) {
-        if (n.steps <= in.edgeReach && oneSurface(in, n.z, measured)) alone = false;
+        if (n.steps <= in.edgeReach && oneSurface(in, n.z, measured.at(x, y))) alone = false;
         nearest = std::fmin(nearest, n.z);
         farthest = std::fmax(farthest, n.z);
     }
-    if (alone || found.empty()) return measured;
-    double chosen = farthest, least = 1e30;
-    if (behind(in, farthest, nearest))
-        for (const Neighbour& n : found)
-            if (n.steps <= in.edgeReach && n.cost < least) {
-                least = n.cost;
-                chosen = n.z;
-            }
+    if (alone || found.empty()) return measured.at(x, y);
+    const double chosen =
+        behind(in, farthest, nearest) ? surfaceByColor(in, measured, x, y, farthest) : farthest;
     double sum = 0, weights = 0;
     for (const Neighbour& n : found) {
         if (!oneSurface(in, n.z, chosen)) continue;
         sum += 1.0 / n.steps / n.z;
         weights += 1.0 / n.steps;
     }
-    return weights / sum;
+    return weights > 0 ? weights / sum : chosen;
 }
 
 inline DepthGrid filledDepth(const FusionInput& in, const DepthGrid& measured,
@@ -152,7 +174,7 @@ inline DepthGrid filledDepth(const FusionInput& in, const DepthGrid& measured,
     return DepthGrid::of(sure.columns, sure.rows, [&](int x, int y) {
         if (!sourceOf(in, x, y)) return 0.0;
         if (sure.at(x, y) > 0) return sure.at(x, y);
-        return filled(in, measured.at(x, y), neighbours(in, sure, x, y));
+        return filled(in, measured, x, y, neighbours(in, sure, x, y));
     });
 }
 
