@@ -124,7 +124,8 @@ void addImport(CLI::App& app, ImportOptions& options) {
         app.add_subcommand("import", "Another program's calibration becomes a display or rig file");
     command
         ->add_option("kind", options.kind,
-                     "Displays: looking-glass, cubevi; cameras: k4a, opencv, ros")
+                     "Displays: looking-glass, cubevi; cameras: k4a, kinect2 (JSON of "
+                     "libfreenect2's parameters: ir, color), opencv, ros")
         ->required();
     command->add_option("file", options.file, "e.g. LKG_calibration/visual.json")->required();
     command->add_option("--base", options.base,

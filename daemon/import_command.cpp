@@ -7,6 +7,8 @@
 #include "daemon/command_words.hpp"
 #include "daemon/commands.hpp"
 #include "daemon/wiring.hpp"
+#include "devices/kinect2/parameters_file.hpp"
+#include "devices/kinect2/registration.hpp"
 #include "devices/replay/calibration_files.hpp"
 #include "devices/replay/whole_file.hpp"
 
@@ -20,14 +22,13 @@ namespace {
 
 const std::map<std::string, config::Vendor> kVendors{
     {"looking-glass", config::Vendor::LookingGlass}, {"cubevi", config::Vendor::Cubevi}};
-constexpr std::array kLaterKinds{"kinect2"};
 
 config::Vendor vendorOf(const std::string& kind) {
-    if (contains(kLaterKinds, kind)) notInThisVersion("import: " + kind);
     const auto found = kVendors.find(kind);
     if (found == kVendors.end())
-        throw UsageError("import: " + kind +
-                         " is not known (allowed cubevi, k4a, looking-glass, opencv, ros)");
+        throw UsageError(
+            "import: " + kind +
+            " is not known (allowed cubevi, k4a, kinect2, looking-glass, opencv, ros)");
     return found->second;
 }
 
@@ -54,6 +55,29 @@ config::RigFile factoryRig(const ImportOptions& options) {
             std::as_bytes(std::span(text)), options.file.string(), {depth.width, depth.height},
             {color.width, color.height});
         return {rig.depth, rig.color, rig.colorFromDepth, rig.provenance, {}, {}};
+    } catch (const devices::DeviceError& error) {
+        throw config::ConfigError(error.what());
+    }
+}
+
+config::RigFile kinect2Rig(const ImportOptions& options) {
+    const std::string name = options.file.string();
+    try {
+        const auto unit =
+            devices::kinect2::readParameters(config::readTextFile(options.file), name);
+        const auto [rig, rmsPx, worstPx] = devices::kinect2::fitRig(unit.color, unit.depth);
+        constexpr double kMostPx = 2; // real units fit to a tenth
+        if (!(worstPx <= kMostPx))
+            throw config::ConfigError(name +
+                                      ": color: no lens does what its polynomials say (off "
+                                      "by up to " +
+                                      std::to_string(worstPx) + " px, allowed 2)");
+        return {rig.depth,
+                rig.color,
+                rig.colorFromDepth,
+                "imported from " + options.file.filename().string(),
+                {},
+                {}};
     } catch (const devices::DeviceError& error) {
         throw config::ConfigError(error.what());
     }
@@ -90,8 +114,9 @@ int importRig(const ImportOptions& options) {
     if (options.output.extension() != ".toml")
         throw UsageError("--output: " + options.output.string() +
                          " is no rig file (allowed *.toml)");
-    const config::RigFile rig =
-        options.kind == "k4a" ? factoryRig(options) : otherProgramsRig(options);
+    const config::RigFile rig = options.kind == "k4a"       ? factoryRig(options)
+                                : options.kind == "kinect2" ? kinect2Rig(options)
+                                                            : otherProgramsRig(options);
     devices::replaceKeepingOld(options.output, config::rigText(rig), "import: ");
     for (const std::string& line : config::explained(rig))
         std::cout << line << '\n';
@@ -101,7 +126,7 @@ int importRig(const ImportOptions& options) {
 } // namespace
 
 int importCalibration(const ImportOptions& options) {
-    constexpr std::array kCameras{"k4a", "opencv", "ros"};
+    constexpr std::array kCameras{"k4a", "kinect2", "opencv", "ros"};
     if (contains(kCameras, options.kind)) return importRig(options);
     const config::Vendor vendor = vendorOf(options.kind);
     if (options.output.extension() != ".toml")

@@ -59,9 +59,9 @@ TEST(ImportCommand, RefusesInOneLine) {
         EXPECT_EQ(result.err, "autostereo: " + message + '\n');
         EXPECT_FALSE(std::filesystem::exists(toml));
     };
-    refused({"kinect2", good, "--output", toml}, "import: kinect2: not in this version");
+    refused({"kinect2", good, "--output", toml}, good + ": ir.fx: missing (a number is needed)");
     refused({"tv", good, "--output", toml},
-            "import: tv is not known (allowed cubevi, k4a, looking-glass, opencv, ros)");
+            "import: tv is not known (allowed cubevi, k4a, kinect2, looking-glass, opencv, ros)");
     refused({"opencv", good, "--output", toml},
             good + ": camera_matrix: missing (allowed camera_matrix, cameraMatrix, K, M1 and M2, "
                    "or rotation and translation)");
@@ -120,6 +120,30 @@ TEST(ImportCommand, AKinectsFilesOfAnotherProgram) {
     EXPECT_EQ(imported.depth.intrinsics.width, 512);
     EXPECT_NEAR(imported.color.intrinsics.fx, 1066.0120360637927, 1e-9);
     EXPECT_NEAR(imported.colorFromDepth.translation.x, -0.052017152124108991, 1e-15);
+}
+
+TEST(ImportCommand, AKinectsParametersOfLibfreenect2) {
+    // A pinhole colour camera: the colour terms by hand, with the library's scale of 0.01 and
+    // 0.002199.
+    const TempFolder folder;
+    const std::string rig = folder / "rig.toml";
+    const std::string file = folder.file(
+        "unit.json",
+        R"({"ir": {"fx": 365.4, "fy": 365.4, "cx": 256.2, "cy": 207.9, "k1": 0.09, "k2": -0.27,
+                   "k3": 0.09, "p1": 0, "p2": 0},
+            "color": {"fx": 1081.37, "fy": 1081.37, "cx": 959.5, "cy": 539.5, "shift_d": 863,
+                      "shift_m": 52,
+                      "mx_x3y0": 0, "mx_x0y3": 0, "mx_x2y1": 0, "mx_x1y2": 0, "mx_x2y0": 0,
+                      "mx_x0y2": 0, "mx_x1y1": 0, "mx_x1y0": 0.65, "mx_x0y1": 0, "mx_x0y0": 0.03,
+                      "my_x3y0": 0, "my_x0y3": 0, "my_x2y1": 0, "my_x1y2": 0, "my_x2y0": 0,
+                      "my_x0y2": 0, "my_x1y1": 0, "my_x1y0": 0, "my_x0y1": 0.65,
+                      "my_x0y0": -0.02}})");
+    ASSERT_TRUE(succeeded(call({"import", "kinect2", file, "--output", rig})));
+    const calib::SensorRig imported = config::loadRig(rig);
+    EXPECT_NEAR(imported.depth.intrinsics.cx, 255.7, 1e-9) << "from the first pixel's centre";
+    EXPECT_NEAR(imported.color.intrinsics.fx, 365.4 * 0.01 * 0.65 / 0.002199, 0.5);
+    EXPECT_NEAR(imported.colorFromDepth.translation.x,
+                0.052 * 1081.37 / imported.color.intrinsics.fx, 1e-4);
 }
 
 TEST(ImportCommand, OutputThatCannotBeWritten) {

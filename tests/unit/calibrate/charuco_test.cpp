@@ -68,9 +68,10 @@ class Sheet {
         for (int pixel = 0; pixel < rays.width() * rays.height(); ++pixel) {
             double sum = 0;
             for (int i = 0; i < 16; ++i) {
+                const int down = i / 4;
                 const glm::dvec3 along =
                     boardFromCamera *
-                    glm::dvec3(rays.at(pixel, (i % 4 + 0.5) / 4, (i / 4 + 0.5) / 4), 1);
+                    glm::dvec3(rays.at(pixel, (i % 4 + 0.5) / 4, (down + 0.5) / 4), 1);
                 const glm::dvec3 place = eye - eye.z / along.z * along;
                 sum += at({place.x, place.y}) / 16;
             }
