@@ -5,6 +5,7 @@
 #include "calib/panel_map.hpp"
 #include "daemon/find_display.hpp"
 #include "daemon/pattern_picture.hpp"
+#include "daemon/preview.hpp"
 #include "gpu/gl/usage.hpp"
 #include "gpu/views/eye_synthesis.hpp"
 
@@ -148,6 +149,10 @@ void Screen::dim() {
         if (frame->header) --area.height;
     }
     dimmer_.dim(panel_->framebuffer(), area, config_.brightness);
+}
+
+gpu::RgbImage Screen::preview(const PreviewRequest& request) const {
+    return previewOf(request, *pipeline_, params(), display(), panel_->width(), panel_->height());
 }
 
 gpu::RgbImage Screen::picture() const {

@@ -3,6 +3,7 @@
 #include "config/config.hpp"
 #include "daemon/method_memory.hpp"
 #include "daemon/pattern_picture.hpp"
+#include "daemon/question_box.hpp"
 #include "daemon/report.hpp"
 #include "daemon/wiring.hpp"
 #include "gpu/dimmer.hpp"
@@ -44,6 +45,9 @@ class Screen {
     /// Throws UsageError, GlError.
     void showPattern(const Pattern& pattern);
 
+    /// For the operator, of the last frame; then that has to be shown anew. After `show`. Throws
+    /// GlError.
+    [[nodiscard]] gpu::RgbImage preview(const PreviewRequest& request) const;
     /// What was drawn last, as it is without presenting it.
     [[nodiscard]] gpu::RgbImage picture() const;
     [[nodiscard]] gpu::Panel& panel() { return *panel_; }
