@@ -92,7 +92,12 @@ ControlReply ControlDesk::answerTo(const MetricsRequest& /*request*/) {
 }
 
 ControlReply ControlDesk::answerTo(const PreviewRequest& request) {
-    return pictureReply(session_.preview(request));
+    const devices::SteadyClock clock;
+    const devices::TimePoint start = clock.now();
+    if (!previews_.isFree(start)) return refusal("preview: the panel comes first", kNotNow);
+    ControlReply reply = pictureReply(session_.preview(request));
+    previews_.used(start, clock.now());
+    return reply;
 }
 
 ControlReply ControlDesk::answerTo(const StatusRequest& /*request*/) {

@@ -4,6 +4,7 @@
 #include "daemon/control_server.hpp"
 #include "daemon/http_server.hpp"
 #include "daemon/session.hpp"
+#include "daemon/time_share.hpp"
 
 #include <memory>
 
@@ -37,6 +38,7 @@ class ControlDesk {
     SceneOptions options_;
     config::Config config_;
     Session& session_;
+    TimeShare previews_{4};                 ///< a fifth of the time at most
     std::unique_ptr<ControlServer> server_; ///< none: no socket
     std::unique_ptr<HttpServer> page_;      ///< none: no page
 };

@@ -27,7 +27,9 @@ int statusOf(const ControlReply& reply) {
     if (!reply.line.starts_with('{')) return 200; // metrics
     const auto line = nlohmann::json::parse(reply.line, nullptr, false);
     if (line.is_object() && line.value("ok", false)) return 200;
-    return line.is_object() && line.value("code", 0) == kBadRequest ? 400 : 503;
+    const int code = line.is_object() ? line.value("code", 0) : 0;
+    if (code == kNotNow) return 429;
+    return code == kBadRequest ? 400 : 503;
 }
 
 /// As many bytes as a request says that its body has; none where it does not say so plainly.
@@ -173,6 +175,7 @@ std::optional<ControlReply> HttpSite::ask(const Question& question, Response& re
         refuse(response, 503, "http: the program does not answer");
     else if (const int status = statusOf(*reply); status != 200) {
         response.status = status;
+        if (status == 429) response.set_header("Retry-After", "1");
         response.set_content(reply->line, kJson);
         return std::nullopt;
     }

@@ -24,6 +24,8 @@ struct PreviewRequest {
     Of of = Of::Color;
     double eye = 0; ///< place on the fan, -1 (its left edge) to 1
 };
+/// What a question is answered with that may be asked again a little later.
+inline constexpr int kNotNow = 75; // EX_TEMPFAIL
 using Question = std::variant<ControlRequest, MetricsRequest, PreviewRequest>;
 
 /// Questions of other threads to the one that owns the session, who answers between two pictures.
