@@ -8,8 +8,9 @@
 #include <gtest/gtest.h>
 #include <httplib.h>
 
+#include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <numbers>
 #include <regex>
 #include <thread>
 #include <utility>
@@ -43,16 +44,17 @@ struct Page : testing::Test {
         start();
     }
     /// Nothing moves, so that pictures can be compared.
-    void startStill() {
+    void startStill(const std::string& settings = kSettings) {
         (void)kiosk.folder().file("kiosk.toml", "input.uri = \"" + std::string(kSmallRoom) +
                                                     "&noise=off\"\ncontrol.socket = \"" +
-                                                    kiosk.socket() + "\"\n" + kSettings);
+                                                    kiosk.socket() + "\"\n" + settings);
         start();
     }
     void TearDown() override {
         if (!http) return;
         EXPECT_TRUE(succeeded(kiosk.stop()));
     }
+    /// A PNG file's bytes; empty where there is none.
     [[nodiscard]] std::string picture(const std::string& path) const {
         // The rate of pictures is limited; whoever asks too often waits.
         for (;;) {
@@ -143,6 +145,34 @@ TEST_F(Page, PreviewsAreOfTheSceneAndTheSnapshotIsThePanel) {
                                   R"({"command":"snapshot"})", "application/json");
     ASSERT_EQ(reply->status, 200);
     EXPECT_EQ(read(reply->body), kiosk.snapshot());
+}
+
+// Coarser than what `render` draws, but of the same eye: as near to it as to no other.
+TEST_F(Page, TheEyePreviewIsWhatAnEyeThereSees) {
+    const std::string depth = "depth.scale = 1\ndepth.focus_m = 1.5\n";
+    startStill(std::string(kSettings) + depth);
+    const std::string still = kiosk.folder().file("still.toml", depth);
+    const double edge = std::tan(25.64 / 2 * std::numbers::pi / 180); // of the fan at 1 m
+    const std::vector<double> places{-0.9, 0, 0.9};
+    std::vector<ColorPicture> rendered, seen;
+    for (const double place : places) {
+        const std::string file = kiosk.folder() / "view.png";
+        const auto result = runProgram(
+            calling({"render", "--config", still, "--input", std::string(kSmallRoom) + "&noise=off",
+                     "--display", kiosk.folder() / "small.toml", "--as", "view", "--eye",
+                     std::to_string(place * edge) + ",0,1", "--output", file}));
+        ASSERT_TRUE(succeeded(result));
+        rendered.push_back(readColor(file));
+        seen.push_back(readColor(kiosk.folder().file(
+            "preview.png", picture("/preview/eye.png?x=" + std::to_string(place)))));
+    }
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const double psnr = compareImages(seen[i].view(), rendered[k].view()).psnrDb;
+            const double own = compareImages(seen[i].view(), rendered[i].view()).psnrDb;
+            EXPECT_TRUE(i == k || own > psnr + 3)
+                << places[i] << ": " << own << " dB; " << places[k] << ": " << psnr << " dB";
+        }
 }
 
 TEST_F(Page, PreviewsLeaveThePanelAsItIs) {
