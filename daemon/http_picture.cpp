@@ -27,7 +27,7 @@ std::array<std::uint8_t, 3> meanOf(const gpu::RgbImage& image, std::size_t left,
             for (std::size_t c = 0; c < 3; ++c)
                 sum[c] += image.pixels[i + c];
     }
-    const std::size_t count = (right - left) * (bottom - top);
+    const std::size_t count = std::max<std::size_t>(1, (right - left) * (bottom - top));
     std::array<std::uint8_t, 3> mean{};
     for (std::size_t c = 0; c < 3; ++c)
         mean[c] = static_cast<std::uint8_t>((sum[c] + count / 2) / count);
@@ -36,7 +36,7 @@ std::array<std::uint8_t, 3> meanOf(const gpu::RgbImage& image, std::size_t left,
 
 } // namespace
 
-gpu::RgbImage pictureIn(ControlReply reply) {
+gpu::RgbImage pictureIn(const ControlReply& reply) {
     const auto line = nlohmann::json::parse(reply.line, nullptr, false);
     gpu::RgbImage image;
     if (line.is_object() && reply.bytes)

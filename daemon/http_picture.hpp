@@ -9,7 +9,7 @@ namespace autostereo::daemon {
 
 /// The picture that a reply carries, as `snapshot` is answered. Throws std::runtime_error where
 /// there is none.
-[[nodiscard]] gpu::RgbImage pictureIn(ControlReply reply);
+[[nodiscard]] gpu::RgbImage pictureIn(const ControlReply& reply);
 
 /// No side longer than `longest` pixels: a smaller one's pixels are the means of those that they
 /// cover, rounded. Reentrant.

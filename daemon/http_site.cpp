@@ -193,7 +193,7 @@ void HttpSite::picture(const Question& question, int longest, Response& response
         return;
     }
     if (auto reply = ask(question, response))
-        response.set_content(pngOf(shrunk(pictureIn(std::move(*reply)), longest)), "image/png");
+        response.set_content(pngOf(shrunk(pictureIn(*reply), longest)), "image/png");
 }
 
 void HttpSite::preview(const Request& request, PreviewRequest wish, Response& response) {
