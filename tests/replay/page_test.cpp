@@ -199,10 +199,10 @@ struct PageInBrowser : Page {
         }
         Page::SetUp();
     }
-    void visit() {
+    void visit(const std::string& fragment = "#token=" + kToken) {
         browser = std::make_unique<Browser>();
         browser->resize(1280, 900, false);
-        browser->open(address + "#token=" + kToken);
+        browser->open(address + fragment);
     }
     void TearDown() override {
         // Pictures may be refused meanwhile; nothing else is.
@@ -294,6 +294,22 @@ TEST_F(PageInBrowser, ControlsReachTheProgram) {
                  "show.dispatchEvent(new Event('change'))");
     EXPECT_TRUE(kiosk.shows("pattern", milliseconds(10'000)));
     EXPECT_TRUE(comes("document.getElementById('state').textContent.startsWith('pattern')"));
+}
+
+TEST_F(PageInBrowser, AsksForTheTokenAndShowsFiguresMeanwhile) {
+    startMoving();
+    visit("");
+    EXPECT_TRUE(comes("!document.getElementById('door').hidden"));
+    EXPECT_TRUE(comes("document.getElementById('scale').disabled"));
+    EXPECT_TRUE(comes("Number(document.getElementById('rate').textContent) > 0"));
+    EXPECT_TRUE(pixels("eye").is_null());
+    screenshot("token");
+    browser->run("document.getElementById('token').value = arguments[0];"
+                 "document.querySelector('#door button').click()",
+                 {kToken});
+    EXPECT_TRUE(comes("document.getElementById('eye-picture').naturalWidth > 0"));
+    EXPECT_TRUE(comes("document.getElementById('door').hidden"));
+    EXPECT_TRUE(comes("!document.getElementById('scale').disabled"));
 }
 
 TEST_F(PageInBrowser, FitsAPhone) {
