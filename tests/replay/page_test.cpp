@@ -316,7 +316,8 @@ TEST_F(PageInBrowser, FitsAPhone) {
     startMoving();
     visit();
     browser->resize(390, 844, true);
-    EXPECT_TRUE(comes("document.getElementById('eye-picture').naturalWidth > 0"));
+    for (const std::string picture : {"eye", "color", "depth"})
+        EXPECT_TRUE(comes("document.getElementById('" + picture + "-picture').naturalWidth > 0"));
     EXPECT_TRUE(comes("document.getElementById('frames').childElementCount > 0"));
     EXPECT_EQ(browser->run("return window.innerWidth"), 390);
     EXPECT_EQ(browser->run("return document.documentElement.scrollWidth"), 390)
