@@ -3,6 +3,7 @@
 #include "calib/display_profile.hpp"
 #include "calib/picture.hpp"
 #include "calib/sensor_rig.hpp"
+#include "config/listen_address.hpp"
 #include "devices/params.hpp"
 #include "devices/tracking/params.hpp"
 #include "gpu/params.hpp"
@@ -26,6 +27,14 @@ struct LogParams {
 struct ControlParams {
     std::optional<std::string> socket; ///< none: where such sockets lie; "": none is opened
     std::string group;                 ///< its members may, too; "": only root and our own user
+};
+
+/// The operator's page.
+struct HttpParams {
+    std::optional<ListenAddress> listen; ///< none: there is no page
+    std::string tokenFile;               ///< empty: nothing that needs the token is allowed
+
+    [[nodiscard]] bool operator==(const HttpParams&) const = default;
 };
 
 /// What is shown when the sensors give nothing.
@@ -57,6 +66,7 @@ struct Config {
     devices::ViewerParams viewer;
     IdleParams idle;
     ControlParams control;
+    HttpParams http;
     LogParams log;
 };
 

@@ -38,12 +38,30 @@ void readMessages(TomlReader& root, IdleParams& idle) {
     message("no_pairs", idle.noPairsText);
 }
 
+void readHttp(TomlReader& root, const std::filesystem::path& folder, HttpParams& http) {
+    auto table = root.table("http");
+    const std::string listen = table.text("listen", "");
+    const bool remote = table.boolean("allow_remote", false);
+    const std::string token = table.text("token_file", "");
+    http.listen = listenAddress(listen);
+    if (!listen.empty() && !http.listen)
+        table.reject("listen", '"' + listen +
+                                   "\" is no address with a port (allowed \"127.0.0.1:8787\", "
+                                   "\"[::1]:8787\" or \"\")");
+    else if (http.listen && !http.listen->loopback && !remote)
+        table.reject("listen", '"' + listen +
+                                   "\" can be reached from other machines (allowed with "
+                                   "http.allow_remote = true)");
+    http.tokenFile = token.empty() ? "" : (folder / token).lexically_normal().string();
+}
+
 } // namespace
 
 void readService(TomlReader& root, const std::filesystem::path& folder, Config& config) {
     auto control = root.table("control");
     config.control.socket = control.textOrAuto("socket", config.control.socket);
     config.control.group = control.text("group", config.control.group);
+    readHttp(root, folder, config.http);
     readIdle(root, folder, config.idle);
     readMessages(root, config.idle);
 }

@@ -2,17 +2,19 @@
 
 #include "daemon/command_line.hpp"
 #include "daemon/control_server.hpp"
+#include "daemon/http_server.hpp"
 #include "daemon/session.hpp"
+#include "daemon/time_share.hpp"
 
 #include <memory>
 
 namespace autostereo::daemon {
 
-/// The operator's wishes, from the control socket to the session. Thread-bound.
+/// The operator's wishes, from control socket and page to the session. Thread-bound.
 class ControlDesk {
   public:
     /// A socket that cannot be opened is warned of: the picture is worth more. Throws ControlError
-    /// for a group that is not there.
+    /// for a group that is not there. So for the page's address; its token file has to be good.
     ControlDesk(const RunOptions& options, const config::Config& config, Session& session);
 
     /// Answers who asked, a few at a time. Never waits.
@@ -21,7 +23,11 @@ class ControlDesk {
     void reload();
 
   private:
-    [[nodiscard]] ControlReply answer(const ControlRequest& request);
+    void openPage();
+    [[nodiscard]] ControlReply answer(const Question& question);
+    [[nodiscard]] ControlReply answerTo(const ControlRequest& request);
+    [[nodiscard]] ControlReply answerTo(const MetricsRequest& request);
+    [[nodiscard]] ControlReply answerTo(const PreviewRequest& request);
     [[nodiscard]] ControlReply answerTo(const StatusRequest& request);
     [[nodiscard]] ControlReply answerTo(const SnapshotRequest& request);
     [[nodiscard]] ControlReply answerTo(const ReloadRequest& request);
@@ -32,7 +38,9 @@ class ControlDesk {
     SceneOptions options_;
     config::Config config_;
     Session& session_;
+    TimeShare previews_{4};                 ///< a fifth of the time at most
     std::unique_ptr<ControlServer> server_; ///< none: no socket
+    std::unique_ptr<HttpServer> page_;      ///< none: no page
 };
 
 } // namespace autostereo::daemon

@@ -73,6 +73,8 @@ Json toJson(const Report& report) {
         {"gpu", {{"memory_mib", report.gpuMemoryMib}, {"objects", report.gpuObjects}}},
         {"latency_ms", report.latencyMs.at(0.5) ? percentilesJson(report.latencyMs, "p50", "p99")
                                                 : Json(nullptr)},
+        {"latency_histogram",
+         {{"up_to_ms", Histogram::kUpToMs}, {"frames", report.latencyHistogram.counts()}}},
         {"seconds", report.seconds},
     };
 }

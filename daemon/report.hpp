@@ -1,5 +1,6 @@
 #pragma once
 
+#include "daemon/histogram.hpp"
 #include "daemon/percentiles.hpp"
 #include "devices/feed.hpp"
 #include "devices/record/recorder.hpp"
@@ -39,6 +40,7 @@ struct Report {
     double gpuMemoryMib = 0;         ///< textures and buffers of all stages
     std::int64_t gpuObjects = 0;     ///< textures, buffers, programs, queries, ...
     Percentiles latencyMs;           ///< mid-exposure to present; empty at --speed max
+    Histogram latencyHistogram;      ///< of the same, all of them
     double seconds = 0;
 
     [[nodiscard]] std::uint64_t skippedTotal() const;

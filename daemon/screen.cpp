@@ -58,6 +58,7 @@ void Screen::build() {
     const gpu::PipelineParams wanted = params();
     methods_.emplace(DisplayPlaces::ofSystem().state, wanted, display(), panel_->width(),
                      panel_->height(), *rig_);
+    preview_.reset();
     pipeline_.reset(); // never two at once: they are what fills the GPU's memory
     pipeline_ = std::make_unique<gpu::Pipeline>(methods_->apply(wanted), *rig_, display(),
                                                 panel_->width(), panel_->height());
@@ -148,6 +149,13 @@ void Screen::dim() {
         if (frame->header) --area.height;
     }
     dimmer_.dim(panel_->framebuffer(), area, config_.brightness);
+}
+
+gpu::RgbImage Screen::preview(const PreviewRequest& request) {
+    if (!preview_)
+        preview_ =
+            std::make_unique<Preview>(params(), display(), panel_->width(), panel_->height());
+    return preview_->draw(request, *pipeline_);
 }
 
 gpu::RgbImage Screen::picture() const {

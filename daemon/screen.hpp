@@ -3,6 +3,7 @@
 #include "config/config.hpp"
 #include "daemon/method_memory.hpp"
 #include "daemon/pattern_picture.hpp"
+#include "daemon/preview.hpp"
 #include "daemon/report.hpp"
 #include "daemon/wiring.hpp"
 #include "gpu/dimmer.hpp"
@@ -44,6 +45,9 @@ class Screen {
     /// Throws UsageError, GlError.
     void showPattern(const Pattern& pattern);
 
+    /// For the operator, of the last frame; then that has to be shown anew. After `show`. Throws
+    /// GlError.
+    [[nodiscard]] gpu::RgbImage preview(const PreviewRequest& request);
     /// What was drawn last, as it is without presenting it.
     [[nodiscard]] gpu::RgbImage picture() const;
     [[nodiscard]] gpu::Panel& panel() { return *panel_; }
@@ -74,6 +78,7 @@ class Screen {
     std::optional<calib::SensorRig> rig_;
     std::optional<MethodMemory> methods_;
     std::unique_ptr<gpu::Pipeline> pipeline_;
+    std::unique_ptr<Preview> preview_; ///< none before somebody looks
     gpu::Pipeline::StageTime stageTime_;
     std::function<calib::EyePair()> latch_;
     gpu::gl::Texture still_; ///< a message or a pattern, as the panel has it

@@ -181,8 +181,11 @@ void Session::show(devices::RgbdFrame frame) {
     if (report_.presented == 0) screen_.keepChoice();
     ++report_.presented;
     if (measuresNothing(frame.depth)) ++report_.withoutDepth;
-    if (realtime_)
-        report_.latencyMs.add(1e3 * seconds(clock_.now() - frame.depth.metadata().capturedAt));
+    if (realtime_) {
+        const double ms = 1e3 * seconds(clock_.now() - frame.depth.metadata().capturedAt);
+        report_.latencyMs.add(ms);
+        report_.latencyHistogram.add(ms);
+    }
     last_ = std::move(frame);
 }
 

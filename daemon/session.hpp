@@ -40,6 +40,9 @@ class Session {
     [[nodiscard]] Status status();
     [[nodiscard]] const Report& accounts();
     [[nodiscard]] gpu::RgbImage picture();
+    /// A small picture for the operator. Throws std::runtime_error where no camera's picture is
+    /// shown: what was seen before is not to be taken for what is.
+    [[nodiscard]] gpu::RgbImage preview(const PreviewRequest& request);
 
     /// PNG of what the panel shows. Throws std::runtime_error.
     void writePicture(const std::filesystem::path& file);

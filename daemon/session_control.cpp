@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include <chrono>
+#include <stdexcept>
 
 namespace autostereo::daemon {
 
@@ -73,6 +74,16 @@ void Session::showPattern(const std::optional<Pattern>& pattern) {
 gpu::RgbImage Session::picture() {
     if (!offscreen()) drawAgain(); // a window's picture is gone once it was presented
     return screen_.picture();
+}
+
+gpu::RgbImage Session::preview(const PreviewRequest& request) {
+    const bool cameras = shown_ == Shown::Live || shown_ == Shown::Frozen;
+    if (!cameras || pattern_ || last_.depth.empty())
+        throw std::runtime_error(std::string("preview: no camera's picture is shown (") +
+                                 (pattern_ ? "pattern" : shownName(shown_)) + ')');
+    gpu::RgbImage image = screen_.preview(request);
+    if (viewer_) redraw_ = true; // else it would be shown again as it was prepared before
+    return image;
 }
 
 Status Session::status() {

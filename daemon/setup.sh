@@ -13,7 +13,7 @@ build_packages=(
     libegl-dev libopengl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri libglfw3-dev
     libglm-dev libspdlog-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
     libpng-dev libturbojpeg0-dev libmatroska-dev libebml-dev libsystemd-dev
-    libdrm-dev libusb-1.0-0-dev libopenni2-dev
+    libdrm-dev libusb-1.0-0-dev libopenni2-dev libcpp-httplib-dev libssl-dev
     libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libopencv-contrib-dev
 )
 # What tests/ needs beyond that. OpenCV is a second opinion, too.
@@ -22,7 +22,7 @@ test_packages=(
     clang libclang-rt-dev
     ffmpeg mkvtoolnix
     xvfb xauth x11-utils x11-apps x11-xserver-utils libxcb-xfixes0-dev
-    libopencv-photo-dev
+    libopencv-photo-dev chromium chromium-driver
     linux-source make gcc flex bison bc xz-utils busybox
 )
 

@@ -12,20 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* nameOf(devices::SensorState state) {
-    switch (state) {
-    case devices::SensorState::Starting:
-        return "starting";
-    case devices::SensorState::Streaming:
-        return "streaming";
-    case devices::SensorState::Lost:
-        return "lost";
-    case devices::SensorState::Ended:
-        break;
-    }
-    return "ended";
-}
-
 Json numberOrAuto(const std::optional<double>& number) {
     return number ? Json(*number) : Json("auto");
 }
@@ -36,7 +22,7 @@ Json ageMs(std::optional<devices::TimePoint> then, devices::TimePoint now) {
 }
 
 Json sensorJson(const devices::SensorStatus& sensor, devices::TimePoint now) {
-    return {{"state", nameOf(sensor.state)},
+    return {{"state", sensorStateName(sensor.state)},
             {"last_frame_ms_ago", ageMs(sensor.lastFrame, now)},
             {"reason", sensor.reason}};
 }
@@ -114,6 +100,20 @@ std::string valueText(const Json& value) {
 }
 
 } // namespace
+
+const char* sensorStateName(devices::SensorState state) {
+    switch (state) {
+    case devices::SensorState::Starting:
+        return "starting";
+    case devices::SensorState::Streaming:
+        return "streaming";
+    case devices::SensorState::Lost:
+        return "lost";
+    case devices::SensorState::Ended:
+        break;
+    }
+    return "ended";
+}
 
 std::string statusLine(const Status& status, const Report& report) {
     const Json line{

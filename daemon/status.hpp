@@ -30,6 +30,9 @@ struct Status {
     std::optional<ViewerStatus> viewer; ///< none: nobody is followed
 };
 
+/// "starting", "streaming", "lost" or "ended".
+[[nodiscard]] const char* sensorStateName(devices::SensorState state);
+
 /// One JSON object in one line: {"ok": true, ..., "report": what --report writes}.
 [[nodiscard]] std::string statusLine(const Status& status, const Report& report);
 /// The same for people, some lines. Throws std::runtime_error where `line` is no such object.

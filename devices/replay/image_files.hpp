@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace autostereo::devices {
@@ -30,6 +31,9 @@ class ImageReader {
 /// Writes top row first, under a temporary name that becomes `path` only when complete.
 /// Throws std::runtime_error.
 void writePng(const std::filesystem::path& path, const ImageView& image);
+
+/// A PNG file's bytes, top row first. Throws std::runtime_error. Reentrant.
+[[nodiscard]] std::string encodePng(const ImageView& image);
 
 /// The whole file, or std::runtime_error (also where it has more than `limit` bytes).
 [[nodiscard]] std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t limit);

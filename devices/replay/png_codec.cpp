@@ -7,8 +7,11 @@
 #include <cerrno>
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -188,6 +191,23 @@ struct PngEncoder {
 };
 
 } // namespace
+
+std::string encodePng(const ImageView& image) {
+    const ImageHeader& h = image.header;
+    if (!h.sizeAllowed() || image.pixels.size() < h.bytes())
+        throw std::runtime_error("cannot encode a picture of " + h.size().text() + " with " +
+                                 std::to_string(image.pixels.size()) + " bytes");
+    char* bytes = nullptr;
+    std::size_t count = 0;
+    File memory(open_memstream(&bytes, &count));
+    if (!memory) throw std::bad_alloc();
+    PngEncoder encoder;
+    const bool good = encoder.write(memory.get(), image) && std::fflush(memory.get()) == 0;
+    memory.reset();
+    const std::unique_ptr<char, decltype(&std::free)> owned(bytes, &std::free);
+    if (!good) throw std::runtime_error("cannot encode a picture of " + h.size().text());
+    return {bytes, count};
+}
 
 void writePng(const std::filesystem::path& path, const ImageView& image) {
     const ImageHeader& h = image.header;

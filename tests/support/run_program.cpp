@@ -143,6 +143,7 @@ RunningProgram::~RunningProgram() {
 }
 
 std::string RunningProgram::out() const { return state_->out.text(); }
+std::string RunningProgram::err() const { return state_->err.text(); }
 bool RunningProgram::running() { return state_->running(); }
 
 void RunningProgram::signal(int number) {

@@ -45,6 +45,7 @@ class RunningProgram {
 
     /// What it has written so far.
     [[nodiscard]] std::string out() const;
+    [[nodiscard]] std::string err() const;
     [[nodiscard]] bool running();
     void signal(int number);
     /// Blocks until it ends; interrupts and kills when the call says so, counted from the start.

@@ -71,6 +71,7 @@ void expectSameService(const Config& a, const Config& b) {
     EXPECT_EQ(a.flat, b.flat);
     EXPECT_EQ(a.control.socket, b.control.socket);
     EXPECT_EQ(a.control.group, b.control.group);
+    EXPECT_EQ(a.http, b.http);
     EXPECT_EQ(a.idle.freeze, b.idle.freeze);
     EXPECT_EQ(a.idle.picture, b.idle.picture);
     EXPECT_EQ(a.idle.startingText, b.idle.startingText);
@@ -210,6 +211,10 @@ no_pairs = ""
 [control]
 socket = "/run/kiosk.sock"
 group = "museum"
+[http]
+listen = "192.168.1.5:80"
+allow_remote = true
+token_file = "/etc/token"
 [log]
 level = "trace"
 )");
@@ -245,6 +250,7 @@ level = "trace"
         {glm::dvec3{0.01, 0.25, -0.02}, {0, std::numbers::pi, 0}, {-1, 1, 1}, {0, 0, -1}}};
     expected.idle = {2500ms, {}, "a", "b", "c", "d", "e", ""};
     expected.control = {"/run/kiosk.sock", "museum"};
+    expected.http = {ListenAddress{"192.168.1.5", 80, false}, "/etc/token"};
     expected.log.level = "trace";
     expectSame(loadConfig("all.toml"), expected);
 }
@@ -254,6 +260,8 @@ TEST_F(LoadConfig, filesAreLookedForBesideTheirConfiguration) {
     write("site/all.toml", "[input]\nrig = 'rig.toml'\n[display]\nprofile = 'mine.toml'\n");
     EXPECT_EQ(loadConfig("site/all.toml").rig, "site/rig.toml");
     EXPECT_EQ(loadConfig("site/all.toml").display, "site/mine.toml");
+    write("site/page.toml", "[http]\ntoken_file = 'token'\n");
+    EXPECT_EQ(loadConfig("site/page.toml").http.tokenFile, "site/token");
     write("site/eyes.toml", "[viewer]\nsource = 'file:walk.csv'\n");
     EXPECT_EQ(loadConfig("site/eyes.toml").viewer.source, "file:site/walk.csv");
     write("site/other.toml", "[input]\nrig = '/etc/rig.toml'\n[display]\nprofile = 'preview'\n");
@@ -340,6 +348,13 @@ constexpr Malformed kMalformed[] = {
      "x.toml:2:11: idle.picture: cannot read nowhere.png: No such file or directory"},
     {"[input]\nwait = true\n",
      "x.toml:2:8: input.wait: is a boolean, wanted a word (allowed auto, yes, no)"},
+    {"[http]\nlisten = 'localhost:8787'\n",
+     "x.toml:2:10: http.listen: \"localhost:8787\" is no address with a port (allowed "
+     "\"127.0.0.1:8787\", \"[::1]:8787\" or \"\")"},
+    {"[http]\nlisten = '0.0.0.0:8787'\n",
+     "x.toml:2:10: http.listen: \"0.0.0.0:8787\" can be reached from other machines (allowed with "
+     "http.allow_remote = true)"},
+    {"[http]\nlisten = 8787\n", "x.toml:2:10: http.listen: is an integer, wanted a string"},
     {"[picture]\nmode = '4d'\n", "x.toml:2:8: picture.mode: \"4d\" is unknown (allowed 3d, 2d)"},
     // Of several problems the first in the file.
     {"[sync]\ntolerance_ms = 5000\n[mesh]\ncut_ratio = 1\n",

@@ -35,6 +35,7 @@ Report exampleReport() {
     report.gpuObjects = 120;
     report.depth = {1.25, 0.5, 0.125};
     report.latencyMs.add(42);
+    report.latencyHistogram.add(42);
     report.seconds = 4;
     report.recording = devices::Recorder::Counters{9, 1, 123456, ""};
     report.keptShare = 0.75;
@@ -95,6 +96,11 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
         },
         "gpu": {"memory_mib": 20.5, "objects": 120},
         "latency_ms": {"p50": 42.0, "p99": 42.0},
+        "latency_histogram": {
+            "up_to_ms": [5.0, 10.0, 15.0, 20.0, 30.0, 40.0, 50.0, 75.0, 100.0, 150.0, 200.0, 300.0,
+                         500.0, 1000.0],
+            "frames": [0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0]
+        },
         "seconds": 4.0
     })");
     EXPECT_EQ(written(exampleReport()), expected);
