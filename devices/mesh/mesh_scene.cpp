@@ -44,6 +44,22 @@ void put(MeshPose& pose, const MeshChannel& channel, double seconds) {
     }
 }
 
+template<class Receive>
+void forEachCorner(const MeshScene& scene, const glm::dmat3& turn, Receive receive) {
+    constexpr int kMoments = 16;
+    for (int moment = 0; moment < (scene.periodS > 0 ? kMoments : 1); ++moment) {
+        const std::vector<glm::dmat4> ways = scene.transforms(scene.periodS * moment / kMoments);
+        for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+            const glm::dmat4 way = glm::dmat4(turn) * ways[node];
+            for (const MeshPart& part : scene.nodes[node].parts)
+                for (std::size_t at = 0; at < part.indexCount; ++at) {
+                    const auto& vertex = scene.vertices[scene.indices[part.firstIndex + at]];
+                    receive(glm::dvec3(way * glm::dvec4(vertex.position, 1)));
+                }
+        }
+    }
+}
+
 } // namespace
 
 glm::dmat4 MeshPose::transform() const {
@@ -78,29 +94,17 @@ std::vector<glm::dmat4> MeshScene::transforms(double seconds) const {
     return ways;
 }
 
-MeshBounds bounds(const MeshScene& scene, double seconds) {
-    MeshBounds box;
-    const std::vector<glm::dmat4> ways = scene.transforms(seconds);
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i)
-        for (const MeshPart& part : scene.nodes[i].parts)
-            for (std::size_t at = 0; at < part.indexCount; ++at) {
-                const glm::dvec3 own = scene.vertices[scene.indices[part.firstIndex + at]].position;
-                const glm::dvec3 place = ways[i] * glm::dvec4(own, 1);
-                box.low = glm::min(box.low, place);
-                box.high = glm::max(box.high, place);
-            }
-    return box;
-}
-
-MeshBounds extent(const MeshScene& scene) {
-    constexpr int kMoments = 16;
-    MeshBounds box = bounds(scene, 0);
-    for (int moment = 1; moment < kMoments && scene.periodS > 0; ++moment) {
-        const MeshBounds then = bounds(scene, scene.periodS * moment / kMoments);
-        box.low = glm::min(box.low, then.low);
-        box.high = glm::max(box.high, then.high);
-    }
-    return box;
+MeshExtent extent(const MeshScene& scene, const glm::dmat3& turn) {
+    MeshExtent all;
+    forEachCorner(scene, turn, [&](const glm::dvec3& place) {
+        all.low = glm::min(all.low, place);
+        all.high = glm::max(all.high, place);
+    });
+    const glm::dvec3 middle = all.middle();
+    forEachCorner(scene, turn, [&](const glm::dvec3& place) {
+        all.around = std::max(all.around, std::hypot(place.x - middle.x, place.z - middle.z));
+    });
+    return all;
 }
 
 } // namespace autostereo::devices::mesh

@@ -119,14 +119,15 @@ struct MeshLimits {
     std::size_t keys = 1'000'000;           ///< of animation
 };
 
-/// The scene's box.
-struct MeshBounds {
+/// What a scene fills.
+struct MeshExtent {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-    [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
+    double around = 0; ///< farthest from the box's vertical axis
+
+    [[nodiscard]] glm::dvec3 middle() const { return (low + high) / 2.0; }
 };
-[[nodiscard]] MeshBounds bounds(const MeshScene& scene, double seconds);
-/// The box that it needs while it moves, from 16 moments of its animation.
-[[nodiscard]] MeshBounds extent(const MeshScene& scene);
+/// Of a scene that is turned by `turn`, at all of 16 moments of its animation.
+[[nodiscard]] MeshExtent extent(const MeshScene& scene, const glm::dmat3& turn = glm::dmat3(1));
 
 } // namespace autostereo::devices::mesh

@@ -31,7 +31,7 @@ MeshDraft readByName(const MeshFile& file, const std::string& extension) {
 
 /// Nodes may put finite corners anywhere, and all into one point.
 void requirePlace(const MeshScene& scene) {
-    const MeshBounds box = extent(scene);
+    const MeshExtent box = extent(scene);
     const double size = glm::length(box.high - box.low);
     if (!std::isfinite(size) || !(size > 0))
         throw DeviceError("its triangles are nowhere, or all in one point");

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,6 +19,9 @@ inline constexpr std::array<std::pair<std::string_view, SceneShading>, 4> kScene
      {"textured", SceneShading::Textured},
      {"per-vertex", SceneShading::PerVertex},
      {"per-pixel", SceneShading::PerPixel}}};
+
+/// Which of a scene's own axes points up: y in glTF, z in many scans.
+enum class SceneUp { Y, Z };
 
 /// In display space (metres, origin in the panel's centre, x right, y up, z toward the viewer), so
 /// that lights stand still while the scene turns. Colours are linear light.
@@ -35,15 +39,18 @@ constexpr std::size_t kMostSceneLights = 8;
 
 /// How mesh content is put in front of the viewer, lit and turned.
 struct SceneParams {
-    double share = 0.8;   ///< of the panel's width or height, whichever it fills first
-    double turnS = 12;    ///< of one turn about the vertical, negative: the other way, 0: none
-    double startRad = 0;  ///< the turn at time 0
-    double tiltRad = 0.2; ///< of the whole scene toward the viewer, about the horizontal
+    SceneUp up = SceneUp::Y;
+    double share = 0.8;    ///< of the panel's width or height, whichever it fills first
+    double depthScale = 1; ///< multiplies heights as they are shown, 0: all in the panel's plane
+    double turnS = 12;     ///< of one turn about the vertical, negative: the other way, 0: none
+    double startRad = 0;   ///< the turn at time 0
+    double tiltRad =
+        12 * std::numbers::pi / 180; ///< of the whole scene toward the viewer, about the horizontal
     SceneShading shading = SceneShading::PerPixel;
-    glm::dvec3 ambient{0.12};
+    glm::dvec3 ambient{0.05};
     std::vector<SceneLight> lights{
-        {.color = glm::dvec3(0.9), .direction = {0.5, -0.7, -0.8}},
-        {.color = glm::dvec3(0.25, 0.3, 0.4), .direction = {-0.8, 0.1, -0.4}}};
+        {.color = glm::dvec3(0.8), .direction = {0.5, -0.7, -0.8}},
+        {.color = glm::dvec3(0.12, 0.15, 0.2), .direction = {-0.8, 0.1, -0.4}}};
 };
 
 } // namespace autostereo::gpu

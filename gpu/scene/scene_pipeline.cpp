@@ -39,7 +39,7 @@ ScenePipeline::ScenePipeline(const devices::mesh::MeshScene& scene, const SceneP
                              const PipelineParams& params, const calib::DisplayProfile& display,
                              int panelWidth, int panelHeight)
     : scene_(scene), look_(look), params_(params), display_(display),
-      placement_(scenePlacement(extent(scene), look, display,
+      placement_(scenePlacement(extent(scene, uprightTurn(look.up)), look, display,
                                 static_cast<double>(panelWidth) / panelHeight)),
       block_(blockOf(look, placement_, display, static_cast<double>(panelWidth) / panelHeight)),
       model_(scene), views_(display, look, params.synthesis, params.clearColor),

@@ -27,6 +27,8 @@ class ScenePipeline {
     [[nodiscard]] RgbImage renderEye(const glm::dvec3& eye, int width, int height);
 
     [[nodiscard]] const Atlas& atlas() const { return atlas_; }
+    /// The method in use.
+    [[nodiscard]] Method method() const { return views_.method(); }
     [[nodiscard]] const ScenePlacement& placement() const { return placement_; }
 
   private:

@@ -11,25 +11,31 @@
 
 namespace autostereo::gpu {
 
+glm::dmat3 uprightTurn(SceneUp up) {
+    if (up == SceneUp::Y) return glm::dmat3(1);
+    return {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}; // y goes away from the viewer, z up
+}
+
 glm::dmat4 ScenePlacement::transform(const SceneParams& params, double seconds) const {
     const double turns = params.turnS == 0 ? 0 : seconds / params.turnS;
     const double angle = params.startRad + 2 * std::numbers::pi * (turns - std::floor(turns));
     const glm::dmat4 tilted = glm::rotate(glm::dmat4(1), params.tiltRad, glm::dvec3(1, 0, 0));
     const glm::dmat4 turned = glm::rotate(tilted, angle, glm::dvec3(0, 1, 0));
-    return glm::translate(glm::scale(turned, glm::dvec3(scale)), -middle);
+    return glm::translate(glm::scale(turned, glm::dvec3(scale)), -middle) *
+           glm::dmat4(uprightTurn(params.up));
 }
 
-ScenePlacement scenePlacement(const devices::mesh::MeshBounds& box, const SceneParams& params,
+ScenePlacement scenePlacement(const devices::mesh::MeshExtent& extent, const SceneParams& params,
                               const calib::DisplayProfile& display, double panelAspect) {
-    const glm::dvec3 half = (box.high - box.low) / 2.0;
-    const double around = std::hypot(half.x, half.z); // of the box's corners from its axis
+    const glm::dvec3 half = (extent.high - extent.low) / 2.0;
+    const double around = extent.around;
     const double cosine = std::cos(params.tiltRad), sine = std::abs(std::sin(params.tiltRad));
     const double tall = half.y * cosine + around * sine;
     const double deep = half.y * sine + around * cosine;
     const double width = display.widthM, height = display.widthM / panelAspect;
 
     ScenePlacement placement;
-    placement.middle = (box.low + box.high) / 2.0;
+    placement.middle = extent.middle();
     placement.scale = params.share / 2 *
                       std::min(around > 0 ? width / around : height / tall,
                                tall > 0 ? height / tall : width / around);
@@ -41,7 +47,7 @@ ScenePlacement scenePlacement(const devices::mesh::MeshBounds& box, const SceneP
     const double nearest = std::min(law.heightAt(law.nearest), most);
     const double farthest = std::max(law.heightAt(law.farthest), -most);
     const double depth = placement.scale * deep;
-    placement.flattening = std::min({1.0, nearest / depth, -farthest / depth});
+    placement.flattening = std::min({params.depthScale, nearest / depth, -farthest / depth});
     placement.nearM = depth * placement.flattening;
     placement.farM = -placement.nearM;
     return placement;

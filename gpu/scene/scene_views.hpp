@@ -22,6 +22,9 @@ class SceneViews {
 
     void render(const SceneModel& model, const SceneBlock& block, const Atlas& atlas);
 
+    /// The method in use.
+    [[nodiscard]] Method method() const { return method_; }
+
   private:
     void eachView(const SceneModel& model, SceneBlock block, const AtlasLayout& layout);
     void repeated(const SceneModel& model, SceneBlock block);

@@ -23,12 +23,16 @@ calib::DisplayProfile display(double budget) {
     return profile;
 }
 
+devices::mesh::MeshExtent boxOf(const glm::dvec3& middle, const glm::dvec3& half) {
+    return {middle - half, middle + half, std::hypot(half.x, half.z)};
+}
+
 struct Reach {
     double x = 0, y = 0, z = 0;
 };
 
 /// How far the box's corners ever come, in steps of a degree.
-Reach reachOf(const devices::mesh::MeshBounds& box, const gpu::ScenePlacement& placement,
+Reach reachOf(const devices::mesh::MeshExtent& box, const gpu::ScenePlacement& placement,
               const gpu::SceneParams& params) {
     Reach reach;
     for (int degree = 0; degree < 360; ++degree) {
@@ -49,7 +53,7 @@ TEST(ScenePlacement, SpansItsShareOfThePanelHoweverItIsTurned) {
     const gpu::SceneParams params{.share = 0.8};
     for (const auto& half : {glm::dvec3(3, 1, 2), {1, 5, 1}, {0.01, 0.02, 0.01}, {4, 0, 4}}) {
         const glm::dvec3 middle{100, -7, 3};
-        const devices::mesh::MeshBounds box{middle - half, middle + half};
+        const devices::mesh::MeshExtent box = boxOf(middle, half);
         for (const double aspect : {0.75, 1.0, 16.0 / 9}) {
             const auto placement = gpu::scenePlacement(box, params, display(0.05), aspect);
             const Reach reach = reachOf(box, placement, params);
@@ -64,7 +68,7 @@ TEST(ScenePlacement, SpansItsShareOfThePanelHoweverItIsTurned) {
 
 TEST(ScenePlacement, StaysWithinTheDepthBudget) {
     const gpu::SceneParams params;
-    const devices::mesh::MeshBounds box{glm::dvec3(-1), glm::dvec3(1)};
+    const devices::mesh::MeshExtent box = boxOf(glm::dvec3(0), glm::dvec3(1));
     for (const double budget : {0.002, 0.02, 0.2}) {
         const calib::DisplayProfile profile = display(budget);
         const auto placement = gpu::scenePlacement(box, params, profile, 1.5);
@@ -81,7 +85,7 @@ TEST(ScenePlacement, StaysWithinTheDepthBudget) {
 
 TEST(ScenePlacement, TurnsOnceInItsTimeAndLeansTowardTheViewer) {
     gpu::SceneParams params{.turnS = 8, .tiltRad = 0};
-    const devices::mesh::MeshBounds box{glm::dvec3(-1), glm::dvec3(1)};
+    const devices::mesh::MeshExtent box = boxOf(glm::dvec3(0), glm::dvec3(1));
     const auto placement = gpu::scenePlacement(box, params, display(0.05), 1);
     const auto at = [&](double seconds, const glm::dvec3& own) {
         return glm::dvec3(placement.transform(params, seconds) * glm::dvec4(own, 1)) /
@@ -93,7 +97,11 @@ TEST(ScenePlacement, TurnsOnceInItsTimeAndLeansTowardTheViewer) {
     params.tiltRad = 0.3;
     EXPECT_GT(at(0, {0, 1, 0}).z, 0.2);
     params.turnS = 0;
+    params.tiltRad = 0;
     EXPECT_EQ(at(3, {1, 0, 0}), at(0, {1, 0, 0}));
+    params.up = gpu::SceneUp::Z;
+    EXPECT_NEAR(at(0, {0, 0, 1}).y, 1, 1e-12);
+    EXPECT_NEAR(at(0, {0, -1, 0}).z, 1, 1e-12) << "and its front, -y, to the viewer";
 }
 
 } // namespace
