@@ -11,7 +11,7 @@ namespace {
 
 using gpu::SceneLight;
 
-constexpr Range kPlace{-100, 100}; // metres, directions, colours, angles: what a row may hold
+constexpr Range kPlace{-1000, 1000}; // metres, directions, colours, angles: what a row may hold
 constexpr double kRad = std::numbers::pi / 180;
 
 glm::dvec3 vectorAt(const std::vector<double>& row, std::size_t first) {

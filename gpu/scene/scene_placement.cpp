@@ -47,7 +47,10 @@ ScenePlacement scenePlacement(const devices::mesh::MeshExtent& extent, const Sce
     const double nearest = std::min(law.heightAt(law.nearest), most);
     const double farthest = std::max(law.heightAt(law.farthest), -most);
     const double depth = placement.scale * deep;
-    placement.flattening = std::min({params.depthScale, nearest / depth, -farthest / depth});
+    // Nobody sees a thousandth, but what is nearer still hides what is farther.
+    constexpr double kFlat = 1e-3;
+    placement.flattening =
+        std::max(kFlat, std::min({params.depthScale, nearest / depth, -farthest / depth}));
     placement.nearM = depth * placement.flattening;
     placement.farM = -placement.nearM;
     return placement;

@@ -6,11 +6,11 @@ vec3 eyeOf(int view) { return texelFetch(eyes, ivec2(view, 0), 0).xyz; }
 
 vec4 seenFrom(vec3 eye, vec3 place) {
     float z = place.z * form.z;
-    float gap = eye.z - z;
-    // What reaches the eye is cut off.
-    float nearest = max(eye.z - range.x, 0.02 * eye.z), farthest = eye.z - range.y;
+    // What reaches the eye is cut off. Heights are subtracted from each other, not from the eye's, so
+    // that the depth test tells flattened ones apart.
+    float top = min(range.x, 0.98 * eye.z);
     return vec4((place.xy * eye.z - eye.xy * z) / form.xy,
-                (gap - nearest) * farthest / (farthest - nearest), gap);
+                (top - z) * (eye.z - range.y) / (top - range.y), eye.z - z);
 }
 
 vec4 inTile(vec4 seen, int view) {

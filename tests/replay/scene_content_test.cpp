@@ -22,9 +22,9 @@ v 1 0 0
 v -1 1 0
 v 0 1 0
 v 1 1 0
-v -0.02 0.05 0.9
-v 0.02 0.05 0.9
-v 0 -0.05 0.9
+v -0.15 0.1 0.9
+v 0.15 0.1 0.9
+v 0 -0.2 0.9
 usemtl red
 f 4 5 8 7
 usemtl green
@@ -64,13 +64,16 @@ class SceneContent : public testing::Test {
                 "--config",
                 folder.file("config.toml", config)};
     }
+    [[nodiscard]] std::string output(const std::string& as) const {
+        return folder / (as == "views" ? "views" : "out.png");
+    }
     ColorPicture render(const std::string& as, const std::string& config = kPlain,
                         const std::vector<std::string>& more = {}) {
         auto arguments = command("render", config);
-        arguments.insert(arguments.end(), {"--as", as, "--output", folder / "out.png"});
+        arguments.insert(arguments.end(), {"--as", as, "--output", output(as)});
         arguments.insert(arguments.end(), more.begin(), more.end());
         EXPECT_TRUE(succeeded(runProgram(calling(arguments))));
-        return readColor(as == "views" ? folder / "out.png/view_00.png" : folder / "out.png");
+        return readColor(as == "views" ? output(as) + "/view_00.png" : output(as));
     }
     /// Runs off-screen; the panel, and the accounts beside it.
     ColorPicture run(const std::string& config, const std::vector<std::string>& more) {
@@ -81,7 +84,8 @@ class SceneContent : public testing::Test {
         arguments.insert(arguments.end(), more.begin(), more.end());
         EXPECT_TRUE(succeeded(runProgram(calling(arguments))));
         report = readReport(folder / "report.json");
-        EXPECT_TRUE(balanced(report));
+        const RunReport::Accounts& all = report.accounts; // moments of the scene: no streams
+        EXPECT_EQ(all.framesIn, all.presented + all.skipped + all.dropped);
         return readColor(folder / "panel.png");
     }
     TempFolder folder;
@@ -89,7 +93,7 @@ class SceneContent : public testing::Test {
     RunReport report;
 };
 
-/// The square spans 80 % of the panel's height, in the panel's plane: no view moves it.
+/// The square spans about 80 % of the panel's height, somewhat behind the panel.
 void expectQuarters(const ColorPicture& picture) {
     const double aspect = static_cast<double>(kSmallHeight) / kSmallWidth;
     const double near = 0.2, far = 0.38; // of the height, from the middle
@@ -134,19 +138,29 @@ TEST_F(SceneContent, TheStickStandsInFrontOfThePanel) {
         EXPECT_GT(count, 4) << file;
         return sum / count;
     };
-    const double left = stick(folder / "out.png/view_00.png");
-    const double right = stick(folder / "out.png/view_07.png");
-    // At most the whole budget, 0.02 of the width each way, and surely half of that.
-    EXPECT_GT(left - right, 0.02 * kSmallTileWidth);
-    EXPECT_LT(left - right, 0.04 * kSmallTileWidth + 1);
+    const double left = stick(folder / "views/view_00.png");
+    const double right = stick(folder / "views/view_07.png");
+    // The budget, 0.02 panel widths, is for the corners that reach farthest when the scene is
+    // turned, 1.097 from its axis; the stick stands at 0.45. Heights: D d / (Bx + d), Bx = 0.428, D
+    // = 1 m.
+    const double height = 0.45 / 1.097 * 0.02 / (0.428 + 0.02);
+    const double disparity = 0.428 * height / (1 - height);
+    EXPECT_NEAR(left - right, 2 * 7 / 8.0 * disparity * kSmallTileWidth, 0.5) << "half a pixel";
     render("views", std::string(kPlain) + "[picture]\nmode = \"2d\"\n");
-    EXPECT_NEAR(stick(folder / "out.png/view_00.png"), stick(folder / "out.png/view_07.png"), 0.5);
+    EXPECT_NEAR(stick(folder / "views/view_00.png"), stick(folder / "views/view_07.png"), 0.5);
 }
 
+/// To rounding, which shows at edges only.
 TEST_F(SceneContent, EveryMethodDrawsIt) {
     const ColorPicture instanced = render("quilt");
-    for (const char* method : {"multipass", "geometry", "mrt"})
-        EXPECT_TRUE(render("quilt", kPlain, {"--method", method}) == instanced) << method;
+    for (const char* method : {"multipass", "geometry", "mrt"}) {
+        const ColorPicture other = render("quilt", kPlain, {"--method", method});
+        ASSERT_EQ(other.rgb.size(), instanced.rgb.size());
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < other.rgb.size(); ++i)
+            if (other.rgb[i] != instanced.rgb[i]) ++different;
+        EXPECT_LE(different, other.rgb.size() / 1000) << method;
+    }
 }
 
 /// A run's picture number five is the render's.
@@ -178,13 +192,13 @@ TEST_F(SceneContent, WhatNeedsCamerasIsRefusedPlainly) {
     const std::string out = folder / "o.png";
     refused(with("render", {"--as", "depth", "--output", out}), 2);
     refused(with("render", {"--as", "view", "--camera-offset", "0,0,0", "--output", out}), 2);
-    refused(with("render", {"--reference", "--output", out}), 2);
-    refused(with("render", {"--method", "direct", "--output", out}), 2);
+    refused(with("render", {"--as", "panel", "--reference", "--output", out}), 2);
+    refused(with("render", {"--as", "panel", "--method", "direct", "--output", out}), 2);
     refused(with("run", {"--output", "offscreen", "--record", folder / "r.mkv"}), 2);
     refused({"record", "--input", scene, "--output", folder / "r.mkv"}, 2);
     scene = folder / "gone.glb";
     refused(with("run", {"--output", "offscreen"}), 3);
-    refused(with("render", {"--output", out}), 3);
+    refused(with("render", {"--as", "panel", "--output", out}), 3);
     scene = folder.file("broken.ply", "ply\nformat ascii 1.0\nelement vertex 9999999999\n"
                                       "property float x\nend_header\n");
     refused(with("run", {"--output", "offscreen"}), 1);
