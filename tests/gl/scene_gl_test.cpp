@@ -178,8 +178,10 @@ TEST_F(SceneGlTest, LightAtVerticesComesCloserWithMoreOfThem) {
     double last = 255;
     for (const int rows : {6, 12, 48}) {
         scene = emptyScene();
-        scene.materials[0] = {
-            .diffuse = glm::vec3(0.5F), .specular = glm::vec3(0.5F), .shininess = 30};
+        scene.materials[0] = {.name = "ball",
+                              .diffuse = glm::vec3(0.5F),
+                              .specular = glm::vec3(0.5F),
+                              .shininess = 30};
         addBall(scene, {0, 0, 0}, 1, rows, 0);
         const gpu::RgbImage exact = atlasBy(gpu::Method::Instanced, SceneShading::PerPixel);
         const gpu::RgbImage seen = atlasBy(gpu::Method::Instanced, SceneShading::PerVertex);
@@ -218,7 +220,7 @@ TEST_F(SceneGlTest, HighlightsMoveWithTheEye) {
     // Light from the front: its mirror image lies where the normal points halfway to the eye, at
     // half the eye's angle, so on the ball (radius r) about r sin(angle/2) aside, and nearer than
     // the panel by r cos, at its share of height.
-    const double r = pipeline->placement().radiusM / std::numbers::sqrt2;
+    const double r = pipeline->placement().radiusM;
     for (const int view : {0, 8}) {
         const double b = (2.0 * view + 1) / 9 - 1;
         const double d = display.viewingDistanceM, e = b * d * std::tan(display.coneRad / 2);
