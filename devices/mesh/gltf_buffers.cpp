@@ -12,24 +12,24 @@ namespace {
 constexpr std::size_t kMostEntries = 1'000'000; // of a list in the document
 
 enum Component : std::size_t {
-    kInt8 = 5120,
-    kUint8 = 5121,
-    kInt16 = 5122,
-    kUint16 = 5123,
-    kUint32 = 5125,
-    kFloat = 5126
+    Int8 = 5120,
+    Uint8 = 5121,
+    Int16 = 5122,
+    Uint16 = 5123,
+    Uint32 = 5125,
+    Float = 5126
 };
 
 std::size_t bytesOf(std::size_t component) {
     switch (component) {
-    case kInt8:
-    case kUint8:
+    case Int8:
+    case Uint8:
         return 1;
-    case kInt16:
-    case kUint16:
+    case Int16:
+    case Uint16:
         return 2;
-    case kUint32:
-    case kFloat:
+    case Uint32:
+    case Float:
         return 4;
     default:
         throw DeviceError("componentType = '" + std::to_string(component) +
@@ -56,15 +56,15 @@ float asFloat(const std::byte* bytes, std::size_t component, bool normalised) {
         return static_cast<float>(normalised ? std::max(value / most, -1.0) : value);
     };
     switch (component) {
-    case kInt8:
+    case Int8:
         return share(at<std::int8_t>(bytes), 127);
-    case kUint8:
+    case Uint8:
         return share(at<std::uint8_t>(bytes), 255);
-    case kInt16:
+    case Int16:
         return share(at<std::int16_t>(bytes), 32767);
-    case kUint16:
+    case Uint16:
         return share(at<std::uint16_t>(bytes), 65535);
-    case kUint32:
+    case Uint32:
         return share(at<std::uint32_t>(bytes), 4294967295.0);
     default:
         return at<float>(bytes);
@@ -206,11 +206,11 @@ std::vector<std::uint32_t> GltfBuffers::indices(std::size_t index, std::size_t m
     read.reserve(all.count);
     for (std::size_t i = 0; i < all.count; ++i) {
         const std::byte* const place = all.first + i * all.stride;
-        if (all.component == kUint8)
+        if (all.component == Uint8)
             read.push_back(at<std::uint8_t>(place));
-        else if (all.component == kUint16)
+        else if (all.component == Uint16)
             read.push_back(at<std::uint16_t>(place));
-        else if (all.component == kUint32)
+        else if (all.component == Uint32)
             read.push_back(at<std::uint32_t>(place));
         else
             throw DeviceError("accessor " + std::to_string(index) + " holds no indices");

@@ -23,8 +23,8 @@ class PlyValues {
     [[nodiscard]] std::size_t nextCount(const PlyProperty& list) {
         const double count = next(list.countType);
         const std::size_t each = format_ == PlyFormat::Ascii ? 1 : bytesOf(list.type);
-        const auto most = static_cast<double>((rest_.size() + 1) / each);
-        if (!(count >= 0 && count <= most))
+        const std::size_t most = (rest_.size() + 1) / each;
+        if (!(count >= 0 && count <= static_cast<double>(most)))
             throw DeviceError("list " + list.name + " = '" + std::to_string(count) +
                               "' is more than the file has bytes for");
         return static_cast<std::size_t>(count);

@@ -136,10 +136,11 @@ void SceneModel::draw(int instances) const {
                 bound >= 0 ? static_cast<std::size_t>(bound) : textures_.size() - 1;
             glBindTextureUnit(0, textures_[texture].name());
         }
-        const std::size_t offset = sizeof(GLuint) * draw.firstIndex;
-        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, draw.indexCount, GL_UNSIGNED_INT,
-                                            reinterpret_cast<const void*>(offset), instances,
-                                            static_cast<GLuint>(i));
+        const std::size_t bytes = sizeof(GLuint) * draw.firstIndex; // GL takes them as a pointer
+        const auto* const offset =
+            reinterpret_cast<const void*>(bytes); // NOLINT(performance-no-int-to-ptr)
+        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, draw.indexCount, GL_UNSIGNED_INT, offset,
+                                            instances, static_cast<GLuint>(i));
     }
 }
 
