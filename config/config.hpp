@@ -7,6 +7,7 @@
 #include "devices/params.hpp"
 #include "devices/tracking/params.hpp"
 #include "gpu/params.hpp"
+#include "gpu/scene/params.hpp"
 
 #include <optional>
 #include <string>
@@ -60,6 +61,7 @@ struct Config {
     devices::SyncParams sync;
     devices::ReconnectParams reconnect;
     gpu::PipelineParams pipeline;
+    gpu::SceneParams scene;                   ///< of mesh content
     Following depthFollows = Following::Live; ///< decides pipeline.budget.follow, by command
     double brightness = 1;                    ///< of the live panel and its idle picture, 0 to 1
     bool flat = false;                        ///< everything in the panel's plane

@@ -2,6 +2,7 @@
 #include "config/load.hpp"
 #include "config/phrases.hpp"
 #include "config/read_framing.hpp"
+#include "config/read_scene.hpp"
 #include "config/read_service.hpp"
 #include "config/read_viewer.hpp"
 #include "config/text_file.hpp"
@@ -193,6 +194,7 @@ void readConfig(TomlReader& root, const std::filesystem::path& folder, Config& c
 
     auto framing = root.table("framing");
     readFraming(framing, folder, config.pipeline);
+    readScene(root, config.scene);
     readViewer(root, folder, config.viewer);
 
     readService(root, folder, config);

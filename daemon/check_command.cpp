@@ -1,6 +1,7 @@
 #include "config/rig_file.hpp"
 #include "daemon/commands.hpp"
 #include "daemon/wiring.hpp"
+#include "devices/mesh/open_mesh.hpp"
 #include "devices/replay_feed.hpp"
 #include "devices/single_stream.hpp"
 
@@ -54,6 +55,16 @@ std::string inspectRecording(const std::string& uri) {
     return what;
 }
 
+/// A scene that needs repairs is shown, but is not good.
+std::string inspectScene(const std::filesystem::path& file) {
+    const devices::mesh::MeshScene scene = devices::mesh::openMesh(file);
+    std::string what = devices::mesh::describe(scene);
+    for (const std::string& repair : scene.repairs.why)
+        what += "; " + repair;
+    if (!scene.repairs.why.empty()) throw devices::DeviceError(file.string() + ": " + what);
+    return what;
+}
+
 } // namespace
 
 int check(const CheckOptions& options) {
@@ -62,9 +73,10 @@ int check(const CheckOptions& options) {
     for (const std::filesystem::path& file : options.files) {
         try {
             const std::string extension = file.extension().string();
-            const std::string what = extension == ".toml" || extension == ".json"
-                                         ? inspectText(file)
-                                         : inspectRecording(file.string());
+            const bool isText = extension == ".toml" || extension == ".json";
+            const std::string what = devices::mesh::isMeshFile(file) ? inspectScene(file)
+                                     : isText                        ? inspectText(file)
+                                              : inspectRecording(file.string());
             std::cout << file.string() << ": good (" << what << ")\n";
         } catch (const std::exception& error) {
             std::cerr << error.what() << '\n';

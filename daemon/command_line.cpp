@@ -20,8 +20,10 @@ const std::map<std::string, Picture> kPictures{{"panel", Picture::Panel},
                                                {"anaglyph", Picture::Anaglyph}};
 
 void addScene(CLI::App& command, SceneOptions& scene) {
-    command.add_option("--input", scene.input,
-                       "Input URI, e.g. sim:person, recording.mkv, kinect2: or v4l2:/dev/video0");
+    command.add_option(
+        "--input", scene.input,
+        "Input URI, e.g. sim:person, recording.mkv, kinect2: or v4l2:/dev/video0; run and "
+        "render also take scenes: FILE.glb, .gltf, .obj, .ply");
     command.add_option("--color", scene.color,
                        "Input URI whose colour replaces that of --input, e.g. v4l2:serial=1234");
     command.add_option("--display", scene.display, "Display profile: a shipped name or a file");

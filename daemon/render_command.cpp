@@ -2,13 +2,14 @@
 #include "daemon/log.hpp"
 #include "daemon/picture_files.hpp"
 #include "daemon/plain_display.hpp"
+#include "daemon/render_scene.hpp"
+#include "daemon/scene_content.hpp"
+#include "daemon/view_files.hpp"
 #include "daemon/wiring.hpp"
 #include "devices/replay_feed.hpp"
 #include "gpu/exports.hpp"
 #include "gpu/offscreen_panel.hpp"
 #include "tests/bench/views/reference.hpp"
-
-#include <cstdio>
 
 namespace autostereo::daemon {
 
@@ -26,24 +27,6 @@ devices::RgbdFrame frameAt(devices::Feed& feed, std::uint64_t wanted, const std:
         std::to_string(seen) + " (from 0; " +
         std::to_string(feed.counters().depth.damaged + feed.counters().color.damaged) +
         " frames damaged)");
-}
-
-gpu::RgbImage readAtlas(const gpu::Atlas& atlas) {
-    return gpu::readFramebuffer(atlas.framebuffer(), atlas.layout().width(),
-                                atlas.layout().height());
-}
-
-void writeViews(const gpu::Atlas& atlas, const std::filesystem::path& folder) {
-    std::filesystem::create_directories(folder);
-    const gpu::AtlasLayout& layout = atlas.layout();
-    const gpu::RgbImage all = readAtlas(atlas);
-    for (int view = 0; view < layout.views; ++view) {
-        char name[32];
-        std::snprintf(name, sizeof name, "view_%02d.png", view);
-        const int top = layout.height() - layout.bottom(view) - layout.quilt.tileHeight;
-        writePicturePng(folder / name, gpu::crop(all, layout.left(view), top,
-                                                 layout.quilt.tileWidth, layout.quilt.tileHeight));
-    }
 }
 
 /// The display, or the format that stands in for it.
@@ -79,6 +62,7 @@ int render(const RenderOptions& options) {
     const Picture as = options.as.value_or(Picture::Panel);
     chooseTiles(options, as, config.pipeline.synthesis.method);
     const calib::DisplayProfile display = displayAs(as, chooseDisplay(config));
+    if (isScene(config)) return renderScene(options, as, config, display);
     devices::Input input = openScene(config);
     const calib::SensorRig rig = *input.rig;
     devices::ReplayFeed feed(std::move(input), config.sync, false);

@@ -5,6 +5,7 @@
 #include "calib/panel_map.hpp"
 #include "daemon/find_display.hpp"
 #include "daemon/pattern_picture.hpp"
+#include "daemon/scene_content.hpp"
 #include "gpu/gl/usage.hpp"
 #include "gpu/views/eye_synthesis.hpp"
 
@@ -54,7 +55,19 @@ void Screen::start(const calib::SensorRig& rig) {
     build();
 }
 
+void Screen::start(const devices::mesh::MeshScene& scene) {
+    scene_ = &scene;
+    build();
+}
+
 void Screen::build() {
+    if (scene_ != nullptr) {
+        scenePipeline_.reset();
+        scenePipeline_ =
+            std::make_unique<gpu::ScenePipeline>(*scene_, sceneParams(config_), config_.pipeline,
+                                                 display(), panel_->width(), panel_->height());
+        return;
+    }
     const gpu::PipelineParams wanted = params();
     methods_.emplace(DisplayPlaces::ofSystem().state, wanted, display(), panel_->width(),
                      panel_->height(), *rig_);
@@ -67,6 +80,7 @@ void Screen::build() {
 
 void Screen::adjust(const config::Config& config) {
     config_ = config;
+    if (scene_ != nullptr) return build();
     if (!pipeline_) return;
     const gpu::PipelineParams wanted = methods_->apply(params());
     pipeline_->adjust(wanted.budget, wanted.synthesis.method);
@@ -83,7 +97,7 @@ void Screen::replace(const config::Config& config) {
     chosen_ = std::move(next);
     config_ = config;
     stillName_.clear();
-    if (rig_) build();
+    if (rig_ || scene_ != nullptr) build();
 }
 
 void Screen::setFlat(bool flat) {
@@ -97,13 +111,22 @@ void Screen::show(const devices::RgbdFrame& frame) {
     fill();
 }
 
+void Screen::showScene(double seconds) {
+    scenePipeline_->prepare(seconds);
+    fill();
+}
+
 void Screen::showAgain() {
     if (pipeline_) fill();
 }
 
 void Screen::fill() {
-    if (latch_) pipeline_->setEyes(latch_());
-    pipeline_->show(panel_->framebuffer());
+    if (scenePipeline_) {
+        scenePipeline_->show(panel_->framebuffer());
+    } else {
+        if (latch_) pipeline_->setEyes(latch_());
+        pipeline_->show(panel_->framebuffer());
+    }
     dim();
 }
 
@@ -168,6 +191,7 @@ void Screen::account(Report& report) const {
     report.gpuObjects = gpu.objects;
     report.display = display().name;
     report.renderer = gpu::rendererName();
+    if (scenePipeline_) report.method = gpu::methodName(scenePipeline_->method());
     if (!pipeline_) return;
     report.conditioner = perFrame(pipeline_->conditioner().tally());
     report.keptShare = pipeline_->keptShare();

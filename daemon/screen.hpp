@@ -9,6 +9,7 @@
 #include "gpu/dimmer.hpp"
 #include "gpu/pipeline.hpp"
 #include "gpu/readback.hpp"
+#include "gpu/scene/scene_pipeline.hpp"
 
 #include <functional>
 #include <memory>
@@ -26,6 +27,8 @@ class Screen {
 
     /// Cameras are known: from here on frames can be shown. Throws GlError.
     void start(const calib::SensorRig& rig);
+    /// In place of cameras; the scene has to outlive this. Throws GlError.
+    void start(const devices::mesh::MeshScene& scene);
     /// Other depth, method or brightness, from the next picture on. Throws GlError.
     void adjust(const config::Config& config);
     /// Another configuration altogether; frames go on coming from the same cameras. Throws
@@ -35,6 +38,8 @@ class Screen {
     void setFlat(bool flat);
 
     void show(const devices::RgbdFrame& frame);
+    /// The scene as it is at a time. After `start` with one.
+    void showScene(double seconds);
     /// The last frame again, as the viewer's eyes see it now. After `show`.
     void showAgain();
     /// Where the viewer's eyes are, asked just before the panel is filled; from the next picture
@@ -79,6 +84,8 @@ class Screen {
     std::optional<MethodMemory> methods_;
     std::unique_ptr<gpu::Pipeline> pipeline_;
     std::unique_ptr<Preview> preview_; ///< none before somebody looks
+    const devices::mesh::MeshScene* scene_ = nullptr; ///< its owner's; none: cameras
+    std::unique_ptr<gpu::ScenePipeline> scenePipeline_;
     gpu::Pipeline::StageTime stageTime_;
     std::function<calib::EyePair()> latch_;
     gpu::gl::Texture still_; ///< a message or a pattern, as the panel has it

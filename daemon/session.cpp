@@ -1,6 +1,7 @@
 #include "daemon/session.hpp"
 
 #include "daemon/picture_files.hpp"
+#include "daemon/scene_content.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -18,8 +19,6 @@ constexpr std::chrono::seconds kRateInterval{1};
 constexpr std::chrono::milliseconds kFrameWait{16};
 /// Between frames a viewer's picture follows at a display's rate, 60 Hz and some.
 constexpr std::chrono::milliseconds kEyeWait{4}, kEyeInterval{12};
-/// A picture that stands is presented anew: what is behind a window may have lost it.
-constexpr std::chrono::milliseconds kStillInterval{500};
 
 bool sameForm(const devices::FrameMetadata& a, const devices::FrameMetadata& b) {
     return a.format == b.format && a.width == b.width && a.height == b.height &&
@@ -47,15 +46,21 @@ Session::Session(const RunOptions& options, const config::Config& config, Tap se
       realtime_(options.speed.value_or(config::Speed::Realtime) == config::Speed::Realtime),
       sensors_(std::move(sensors)),
       recording_(options.record, options.speed.value_or(config::Speed::Realtime)),
-      input_(waitsForInput() ? std::nullopt : std::make_optional(openScene(config, tap()))),
+      input_(isScene(config) || waitsForInput() ? std::nullopt
+                                                : std::make_optional(openScene(config, tap()))),
+      scene_(isScene(config) ? std::make_optional(openMeshScene(config)) : std::nullopt),
       screen_(config, output_, options.force), policy_(config.idle, clock_.now()),
       shownSince_(clock_.now()), presentedAt_(clock_.now()) {
     report_.input = config.input;
     report_.stageNames.assign(gpu::Pipeline::kStages.begin(), gpu::Pipeline::kStages.end());
     report_.stageMs.resize(report_.stageNames.size());
-    openViewer();
+    if (scene_ && options.record)
+        throw UsageError("run: cannot record " + config.input + ": a scene has no cameras");
+    if (!scene_) openViewer();
     screen_.onStageTime([this](std::size_t stage, double ms) { report_.stageMs[stage].add(ms); });
-    if (input_)
+    if (scene_)
+        startScene();
+    else if (input_)
         adopt(std::move(*input_));
     else
         waitForInput();
@@ -126,6 +131,7 @@ bool Session::finished() const {
 
 bool Session::step() {
     if (screen_.panel().closed() || finished()) return false;
+    if (scene_) return stepScene();
     takeInput();
     std::optional<devices::RgbdFrame> frame;
     if (feed_)
@@ -250,6 +256,8 @@ void Session::drawAgain() {
         screen_.showPattern(*pattern_);
     else if (shown_ == Shown::Idle)
         screen_.showMessage(message_);
+    else if (scene_)
+        screen_.showScene(sceneSeconds());
     else if (shown_ == Shown::ColorAlone && !colorAlone_.color.empty())
         screen_.show(colorAlone_);
     else if (!last_.depth.empty())

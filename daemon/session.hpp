@@ -20,6 +20,9 @@ namespace autostereo::daemon {
 /// it. Thread-bound.
 class Session {
   public:
+    /// A picture that stands is presented anew: what is behind a window may have lost it.
+    static constexpr std::chrono::milliseconds kStillInterval{500};
+
     /// Opens input, display and panel. `sensors` gets every input as it was opened, on any thread,
     /// and gives the one to show. Throws what they throw.
     Session(const RunOptions& options, const config::Config& config, Tap sensors = {});
@@ -55,6 +58,9 @@ class Session {
     [[nodiscard]] bool waitsForInput() const;
     [[nodiscard]] Tap tap();
     void adopt(devices::Input input);
+    void startScene();
+    [[nodiscard]] bool stepScene();
+    [[nodiscard]] double sceneSeconds() const;
     void waitForInput();
     void takeInput();
     [[nodiscard]] bool isFresh(const devices::RgbdFrame& frame);
@@ -76,6 +82,7 @@ class Session {
     Tap sensors_;
     Recording recording_;
     std::optional<devices::Input> input_; ///< opened before the panel, until it is adopted
+    std::optional<devices::mesh::MeshScene> scene_; ///< in place of an input
     Screen screen_;
     std::unique_ptr<Viewer> viewer_; ///< none: nobody is followed
     devices::TimePoint frameAt_;     ///< of the frame shown, media time at --speed max

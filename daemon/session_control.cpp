@@ -1,5 +1,6 @@
 // What the operator does to a session while it runs.
 
+#include "daemon/scene_content.hpp"
 #include "daemon/session.hpp"
 
 #include <spdlog/spdlog.h>
@@ -37,6 +38,8 @@ void Session::adjust(const config::Config& config) {
 
 void Session::replace(const config::Config& config) {
     const bool other = !sameInput(config_, config);
+    if (other && (scene_ || isScene(config)))
+        throw config::ConfigError("input.uri: from or to a scene needs a restart");
     if (other && recording_.counters())
         throw config::ConfigError("input: cannot be another one while it is recorded");
     if (config.output.value_or(output_) != output_)

@@ -1,5 +1,6 @@
 #include "devices/input.hpp"
 #include "devices/kinect2/usb/open_unit.hpp"
+#include "devices/mesh/open_mesh.hpp"
 #include "devices/openni2/oni_file.hpp"
 #include "devices/openni2/openni_input.hpp"
 #include "devices/replay/kinect_recording.hpp"
@@ -25,11 +26,13 @@ bool holds(const List& list, std::string_view what) {
 }
 
 Input openFile(const Uri& uri, const std::optional<calib::SensorRig>& rig) {
-    constexpr std::array<std::string_view, 4> kLater{".glb", ".gltf", ".obj", ".png"};
+    constexpr std::array<std::string_view, 1> kLater{".png"};
     const std::filesystem::path path = uri.path;
     const std::string extension = path.extension().string();
     if (holds(kLater, extension))
         throw AddressError(uri.text + ": " + extension + " input is not in this version");
+    if (mesh::isMeshFile(path))
+        throw AddressError(uri.text + ": is a scene, no camera: run, render and check take it");
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         throw DeviceError("cannot open " + uri.text + ": no such file", true);

@@ -2,6 +2,8 @@
 
 #include "gpu/gl/error.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <string>
 
 namespace autostereo::gpu::gl {
@@ -15,16 +17,22 @@ std::int64_t bufferBytes(GLuint name) {
 }
 
 std::int64_t textureBytes(GLuint name) {
-    const auto level = [&](GLenum what) {
-        GLint value = 0;
-        glGetTextureLevelParameteriv(name, 0, what, &value);
-        return static_cast<std::int64_t>(value);
-    };
-    std::int64_t bits = 0;
-    for (const GLenum size : {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
-                              GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE})
-        bits += level(size);
-    return level(GL_TEXTURE_WIDTH) * level(GL_TEXTURE_HEIGHT) * level(GL_TEXTURE_DEPTH) * bits / 8;
+    GLint levels = 0;
+    glGetTextureParameteriv(name, GL_TEXTURE_IMMUTABLE_LEVELS, &levels);
+    std::int64_t bytes = 0;
+    for (GLint level = 0; level < levels; ++level) {
+        const auto of = [&](GLenum what) {
+            GLint value = 0;
+            glGetTextureLevelParameteriv(name, level, what, &value);
+            return static_cast<std::int64_t>(value);
+        };
+        std::int64_t bits = 0;
+        for (const GLenum size : {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
+                                  GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE})
+            bits += of(size);
+        bytes += of(GL_TEXTURE_WIDTH) * of(GL_TEXTURE_HEIGHT) * of(GL_TEXTURE_DEPTH) * bits / 8;
+    }
+    return bytes;
 }
 
 GLuint makeTexture(GLenum target) {
@@ -55,6 +63,21 @@ Texture::Texture(GLenum internalFormat, int width, int height, int layers)
     : handle_(makeTexture(GL_TEXTURE_2D_ARRAY)), width_(width), height_(height) {
     glTextureStorage3D(name(), 1, internalFormat, width, height, layers);
     initialise();
+}
+
+Texture Texture::withLevels(GLenum internalFormat, int width, int height) {
+    Texture texture;
+    texture.handle_ = Handle<deleteTexture>(makeTexture(GL_TEXTURE_2D));
+    texture.width_ = width;
+    texture.height_ = height;
+    const auto levels = std::bit_width(static_cast<unsigned>(std::max(width, height)));
+    glTextureStorage2D(texture.name(), static_cast<GLsizei>(levels), internalFormat, width, height);
+    texture.initialise();
+    glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_REPEAT);
+    return texture;
 }
 
 void Texture::initialise() const {

@@ -51,13 +51,15 @@ using ProgramName = Handle<deleteProgram>;
 using ShaderName = Handle<deleteShader>;
 using Sampler = Handle<deleteSampler>;
 
-/// A 2-D texture, or several in layers, with immutable storage, one level; knows its size.
+/// A 2-D texture, or several in layers, with immutable storage; knows its size.
 class Texture {
   public:
     Texture() = default;
     Texture(GLenum internalFormat, int width, int height);
     /// GL_TEXTURE_2D_ARRAY.
     Texture(GLenum internalFormat, int width, int height, int layers);
+    /// With all its smaller levels, for glGenerateTextureMipmap; repeats, is filtered between them.
+    [[nodiscard]] static Texture withLevels(GLenum internalFormat, int width, int height);
     [[nodiscard]] GLuint name() const { return handle_.name(); }
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }

@@ -2,6 +2,7 @@
 
 #include "gpu/blocks.hpp"
 #include "gpu/gl/program.hpp"
+#include "gpu/scene/scene_block.hpp"
 #include "tests/support/gl_fixture.hpp"
 
 #include <cstddef>
@@ -40,6 +41,18 @@ TEST_F(BlocksGlTest, ConditionBlock) {
     EXPECT_EQ(offsetOf(program, "valid"), offsetof(gpu::ConditionBlock, valid));
     EXPECT_EQ(offsetOf(program, "surface"), offsetof(gpu::ConditionBlock, surface));
     EXPECT_EQ(offsetOf(program, "hold"), offsetof(gpu::ConditionBlock, hold));
+}
+
+TEST_F(BlocksGlTest, SceneBlock) {
+    const gpu::gl::Program program({"scene_view.vert", "scene_view.frag"}, {"PER_PIXEL"});
+    EXPECT_EQ(offsetOf(program, "tiles"), offsetof(gpu::SceneBlock, tiles));
+    EXPECT_EQ(offsetOf(program, "form"), offsetof(gpu::SceneBlock, form));
+    EXPECT_EQ(offsetOf(program, "range"), offsetof(gpu::SceneBlock, range));
+    EXPECT_EQ(offsetOf(program, "ambient"), offsetof(gpu::SceneBlock, ambient));
+    EXPECT_EQ(offsetOf(program, "lightPlaces[0]"), offsetof(gpu::SceneBlock, lightPlaces));
+    EXPECT_EQ(offsetOf(program, "lightColors[0]"), offsetof(gpu::SceneBlock, lightColors));
+    EXPECT_EQ(offsetOf(program, "lightCones[0]"), offsetof(gpu::SceneBlock, lightCones));
+    EXPECT_EQ(offsetOf(program, "lightFades[0]"), offsetof(gpu::SceneBlock, lightFades));
 }
 
 TEST_F(BlocksGlTest, ColorBlock) {

@@ -82,6 +82,19 @@ std::vector<Variant> interleavers() {
     return variants;
 }
 
+std::vector<Variant> scenes() {
+    std::vector<Variant> variants{{{"scene_view.vert", "scene_view.frag"}, {"DISPARITY"}}};
+    for (const char* shading : {"PLAIN", "TEXTURED", "PER_VERTEX", "PER_PIXEL"}) {
+        variants.push_back({{"scene_view.vert", "scene_view.frag"}, {shading}});
+        variants.push_back({{"scene_view.vert", "scene_view.frag"}, {shading, "TILED"}});
+        for (const char* target : {"TILES", "LAYERED"})
+            variants.push_back({{"scene_view.vert", "scene_view.geom", "scene_view.frag"},
+                                {shading, target, "REPEATED", "VIEWS 8"}});
+    }
+    return variants;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ProgramsGlTest, testing::ValuesIn(scenes()));
 INSTANTIATE_TEST_SUITE_P(Interleavers, ProgramsGlTest, testing::ValuesIn(interleavers()));
 
 class ProgramGlTest : public GlTest {};

@@ -58,8 +58,10 @@ TEST(OpenInput, whatIsNotThereIsNotFound) {
 }
 
 TEST(OpenInput, laterInputsSaySo) {
-    for (const char* uri : {"quilt:q.png", "sbs:a.png", "scene.glb", "scene.obj", "idle:"})
+    for (const char* uri : {"quilt:q.png", "sbs:a.png", "idle:"})
         EXPECT_NE(messageOf(uri).find("not in this version"), std::string::npos) << uri;
+    for (const char* uri : {"scene.glb", "scene.gltf", "scene.OBJ", "scene.ply"})
+        EXPECT_NE(messageOf(uri).find("is a scene, no camera"), std::string::npos) << uri;
     EXPECT_NE(messageOf("ftp:x").find("unknown scheme ftp:"), std::string::npos);
 }
 

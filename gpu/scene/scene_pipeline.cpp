@@ -1,0 +1,97 @@
+#include "gpu/scene/scene_pipeline.hpp"
+
+#include "calib/disparity_law.hpp"
+#include "calib/panel_map.hpp"
+#include "gpu/layer_drawer.hpp"
+
+#include <algorithm>
+
+namespace autostereo::gpu {
+
+namespace {
+
+AtlasLayout layoutOf(const calib::DisplayProfile& display, const PipelineParams& params, int width,
+                     int height) {
+    return scaled(atlasLayout(display, width, height), params.synthesis.tileScale);
+}
+
+SceneBlock blockOf(const SceneParams& look, const ScenePlacement& placement,
+                   const calib::DisplayProfile& display, double panelAspect) {
+    constexpr double kSlack = 1.01; // rounding keeps inside of the depth range
+    SceneBlock block;
+    block.set(look);
+    block.form.x = static_cast<float>(display.widthM / 2);
+    block.form.y = static_cast<float>(display.widthM / panelAspect / 2);
+    block.form.z = static_cast<float>(placement.flattening);
+    block.range = glm::dvec4(kSlack * placement.nearM, kSlack * placement.farM,
+                             calib::fanHalfWidth(display), display.viewingDistanceM);
+    return block;
+}
+
+} // namespace
+
+ScenePipeline::Disparity::Disparity(int width, int height)
+    : program({"scene_view.vert", "scene_view.frag"}, {"DISPARITY"}),
+      texture(GL_R32F, width, height), depth(GL_DEPTH_COMPONENT32F, width, height),
+      framebuffer(gl::makeFramebuffer(texture, &depth)) {}
+
+ScenePipeline::ScenePipeline(const devices::mesh::MeshScene& scene, const SceneParams& look,
+                             const PipelineParams& params, const calib::DisplayProfile& display,
+                             int panelWidth, int panelHeight)
+    : scene_(scene), look_(look), params_(params), display_(display),
+      placement_(scenePlacement(extent(scene, uprightTurn(look.up)), look, display,
+                                static_cast<double>(panelWidth) / panelHeight)),
+      block_(blockOf(look, placement_, display, static_cast<double>(panelWidth) / panelHeight)),
+      model_(scene), views_(display, look, params.synthesis, params.clearColor),
+      atlas_(layoutOf(display, params, panelWidth, panelHeight)),
+      interleaver_(makeInterleaver(
+          calib::panelMap(display, panelWidth, panelHeight), panelWidth, panelHeight,
+          {params.synthesis.filter, params.synthesis.views, display.fringe, {}})) {
+    if (!std::holds_alternative<calib::DepthFrame>(display.law)) return;
+    const calib::QuiltLayout& tiles = atlas_.layout().quilt;
+    disparity_.emplace(tiles.tileWidth, tiles.tileHeight);
+    disparity_->eye = makeEyes({{0, 0, display.viewingDistanceM}});
+}
+
+void ScenePipeline::prepare(double seconds) {
+    model_.place(scene_, seconds, placement_.transform(look_, seconds));
+    views_.render(model_, block_, atlas_);
+    if (disparity_) drawDisparity();
+}
+
+void ScenePipeline::drawDisparity() {
+    const auto background = static_cast<double>(display_.disparityFar);
+    LayerDrawer::clear(disparity_->framebuffer.name(), {background, 0, 0});
+    glViewport(0, 0, disparity_->texture.width(), disparity_->texture.height());
+    glBindTextureUnit(2, disparity_->eye.name());
+    uniforms_.bind(7, block_);
+    disparity_->program.use();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    model_.draw(1);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void ScenePipeline::show(GLuint panel) {
+    interleaver_->render({&atlas_, disparity_ ? &disparity_->texture : nullptr}, panel);
+}
+
+RgbImage ScenePipeline::renderEye(const glm::dvec3& eye, int width, int height) {
+    const gl::Program program({"scene_view.vert", "scene_view.frag"}, definesOf(look_.shading));
+    const gl::Texture eyes = makeEyes({eye});
+    const gl::Texture color(GL_RGBA8, width, height);
+    const gl::Texture depth(GL_DEPTH_COMPONENT32F, width, height);
+    const gl::Framebuffer target = gl::makeFramebuffer(color, &depth);
+    LayerDrawer::clear(target.name(), params_.clearColor);
+    glViewport(0, 0, width, height);
+    glBindTextureUnit(2, eyes.name());
+    uniforms_.bind(7, block_);
+    program.use();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    model_.draw(1);
+    glDisable(GL_DEPTH_TEST);
+    return readFramebuffer(target.name(), width, height);
+}
+
+} // namespace autostereo::gpu

@@ -1,0 +1,29 @@
+// What a corner of a triangle hands to its pixels, in one view. PER_PIXEL, PER_VERTEX: where
+// light is reckoned; else there is none. Needs scene_parts.glsl, scene_eyes.glsl,
+// scene_light.glsl.
+layout(location = 0) out vec2 uv;
+layout(location = 1) flat out ivec2 numbers; // part, view
+#if defined(PER_PIXEL)
+layout(location = 2) out vec3 place;
+layout(location = 3) out vec3 normal;
+#elif defined(PER_VERTEX)
+layout(location = 2) out vec3 diffuseLight;
+layout(location = 3) out vec3 specularLight;
+#elif defined(DISPARITY)
+layout(location = 2) out float height;
+#endif
+
+void handOver(vec3 own, vec3 ownNormal, vec2 ownUv, int part, int view) {
+    uv = ownUv;
+    numbers = ivec2(part, view);
+#if defined(PER_PIXEL)
+    place = own;
+    normal = ownNormal;
+#elif defined(PER_VERTEX)
+    Light light = lightAt(own, normalize(ownNormal), eyeOf(view), diffuseOf(part).w);
+    diffuseLight = light.diffuse;
+    specularLight = light.specular;
+#elif defined(DISPARITY)
+    height = own.z * form.z;
+#endif
+}
