@@ -12,6 +12,8 @@ namespace autostereo::devices::openni2 {
 namespace {
 
 constexpr Duration kSilence = std::chrono::seconds(3);
+/// Stamps of a recording's pictures that were taken together lie closer.
+constexpr Duration kOneMoment = std::chrono::milliseconds(4);
 /// Frames without infrared of their number after which the two streams count apart.
 constexpr int kMostMisses = 10;
 
@@ -49,7 +51,7 @@ ReadResult OpenNiSource::read(TimePoint deadline) noexcept {
 std::optional<Frame> OpenNiSource::take(Picture picture, TimePoint arrived) {
     if (picture.sensor() == main_) return takeMain(picture, arrived);
     if (!infrared_) return std::nullopt;
-    if (waiting_.empty() || picture.index() > waitingIndex_) {
+    if (waiting_.empty() || order(picture) > 0) {
         unmatched_ = std::move(picture); // it came before its depth
         return std::nullopt;
     }
@@ -93,13 +95,21 @@ std::optional<Frame> OpenNiSource::takeMain(const Picture& picture, TimePoint ar
     }
     waiting_ = std::move(*frame);
     waitingIndex_ = picture.index();
-    if (!unmatched_ || unmatched_->index() > waitingIndex_) return std::nullopt;
+    waitingAt_ = picture.timestamp();
+    if (!unmatched_ || order(*unmatched_) > 0) return std::nullopt;
     const Picture earlier = std::move(*std::exchange(unmatched_, std::nullopt));
     return withInfrared(earlier);
 }
 
+int OpenNiSource::order(const Picture& picture) {
+    if (!device_->recording()) return picture.index() - waitingIndex_;
+    if (!shift_) shift_ = waitingAt_ - picture.timestamp();
+    const Duration off = picture.timestamp() + *shift_ - waitingAt_;
+    return off > kOneMoment ? 1 : off < -kOneMoment ? -1 : 0;
+}
+
 std::optional<Frame> OpenNiSource::withInfrared(const Picture& picture) {
-    if (picture.index() != waitingIndex_) return std::nullopt;
+    if (order(picture) != 0) return std::nullopt;
     Frame frame = std::exchange(waiting_, Frame{});
     misses_ = 0;
     if (picture.copyTo(*device_->stream(Sensor::Infrared),

@@ -25,6 +25,10 @@ class OpenNiSource final : public Source {
   private:
     [[nodiscard]] std::optional<Frame> take(Picture picture, TimePoint arrived);
     [[nodiscard]] std::optional<Frame> takeMain(const Picture& picture, TimePoint arrived);
+    /// Below, at or above 0: taken before, with or after what waits. By number; in recordings,
+    /// which number and time each stream from its own first picture on, by time: the first infrared
+    /// belongs to the depth before it, or the first depth to the infrared before it.
+    [[nodiscard]] int order(const Picture& picture);
     [[nodiscard]] std::optional<Frame> withInfrared(const Picture& picture);
 
     SteadyClock clock_;
@@ -38,6 +42,8 @@ class OpenNiSource final : public Source {
     std::uint64_t sequence_ = 0;
     Frame waiting_; ///< depth without its infrared
     int waitingIndex_ = 0;
+    Duration waitingAt_{0};
+    std::optional<Duration> shift_;    ///< of a recording's infrared stamps to those of depth
     std::optional<Picture> unmatched_; ///< infrared without its depth
     int misses_ = 0;                   ///< depth frames in a row that got none
     SourceCounters counters_;

@@ -27,9 +27,10 @@ std::string simulationUri() {
            "&color=" + size(SimulatedDevice::kColorWidth, SimulatedDevice::kColorHeight);
 }
 
-std::int64_t microseconds() {
+std::uint64_t microsecondsNow() {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+    return static_cast<std::uint64_t>(
+        std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
 std::uint16_t tenths(std::uint16_t mm) {
@@ -116,7 +117,7 @@ OniStatus SimulatedStream::setProperty(int property, const void* data, int size)
     return ONI_STATUS_NOT_SUPPORTED;
 }
 
-void SimulatedStream::show(const Frame& frame, int index) {
+void SimulatedStream::show(const Frame& frame, int index, std::uint64_t microseconds) {
     if (!running_) return;
     OniFrame* picture = getServices().acquireFrame();
     if (picture == nullptr) return;
@@ -124,7 +125,7 @@ void SimulatedStream::show(const Frame& frame, int index) {
     picture->videoMode = mode_;
     picture->width = mode_.resolutionX;
     picture->height = mode_.resolutionY;
-    picture->timestamp = static_cast<std::uint64_t>(microseconds());
+    picture->timestamp = microseconds;
     picture->frameIndex = index;
     picture->croppingEnabled = FALSE;
     picture->cropOriginX = picture->cropOriginY = 0;
@@ -225,7 +226,10 @@ void SimulatedDevice::run(const std::stop_token& stop) {
     const auto start = steady_clock::now();
     for (int index = 1; !stop.stop_requested(); ++index) {
         showAll(index);
-        std::this_thread::sleep_until(start + index * nanoseconds(1'000'000'000) / kFps);
+        // Late, it is no faster than its shutter.
+        constexpr milliseconds kLeast{10};
+        std::this_thread::sleep_until(std::max<steady_clock::time_point>(
+            steady_clock::now() + kLeast, start + index * nanoseconds(1'000'000'000) / kFps));
     }
 }
 
@@ -242,8 +246,9 @@ void SimulatedDevice::showAll(int index) {
         registeredCamera_.expose(*registered);
         *depthFrame = std::move(*registered);
     }
+    const std::uint64_t now = microsecondsNow(); // of all streams: one shutter
     for (SimulatedStream* stream : streams_)
-        stream->show(stream->sensor() == ONI_SENSOR_COLOR ? *colorFrame : *depthFrame, index);
+        stream->show(stream->sensor() == ONI_SENSOR_COLOR ? *colorFrame : *depthFrame, index, now);
 }
 
 } // namespace autostereo::devices::sim

@@ -33,7 +33,7 @@ class SimulatedStream final : public oni::driver::StreamBase {
 
     [[nodiscard]] OniSensorType sensor() const { return sensor_; }
     /// Of the device's thread, under its lock: hands one picture out if the stream runs.
-    void show(const Frame& frame, int index);
+    void show(const Frame& frame, int index, std::uint64_t microseconds);
 
   private:
     void fill(const Frame& frame, OniFrame& picture) const;
