@@ -4,6 +4,7 @@
 #include "calib/picture.hpp"
 #include "calib/sensor_rig.hpp"
 #include "config/listen_address.hpp"
+#include "config/opening_hours.hpp"
 #include "devices/params.hpp"
 #include "devices/tracking/params.hpp"
 #include "gpu/params.hpp"
@@ -11,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace autostereo::config {
 
@@ -50,6 +52,14 @@ struct IdleParams {
     std::string noPairsText = "The cameras do not fit together";
 };
 
+/// When nothing is shown though the sensors work.
+struct RestParams {
+    std::vector<OpeningSpan> hours; ///< none: always open
+    double presenceM = 0;           ///< somebody is there who is nearer; 0: nobody is looked for
+    double presenceShare = 0.005;   ///< of the depth picture that has to be
+    devices::Duration leave = std::chrono::seconds(60); ///< after the last one went
+};
+
 /// Everything a configuration file can say: all rooms' params together.
 struct Config {
     std::string input = "sim:person";
@@ -67,6 +77,7 @@ struct Config {
     bool flat = false;                        ///< everything in the panel's plane
     devices::ViewerParams viewer;
     IdleParams idle;
+    RestParams rest;
     ControlParams control;
     HttpParams http;
     LogParams log;

@@ -38,6 +38,30 @@ void readMessages(TomlReader& root, IdleParams& idle) {
     message("no_pairs", idle.noPairsText);
 }
 
+void readRest(TomlReader& root, RestParams& rest) {
+    auto table = root.table("rest");
+    constexpr Range kSpans{0, 64};
+    rest.hours.clear();
+    const auto hours =
+        table.has("hours") ? table.words("hours", kSpans) : std::vector<std::string>{};
+    for (const std::string& text : hours) {
+        const auto span = openingSpan(text);
+        if (span)
+            rest.hours.push_back(*span);
+        else
+            table.reject("hours", '"' + text +
+                                      "\" is no opening (allowed e.g. \"mon-fri 09:00-18:00\", "
+                                      "\"sat,sun 10:00-16:30\", \"daily 20:00-02:00\")");
+    }
+    constexpr double kPercent = 100, kLongestS = 86400;
+    rest.presenceM = table.number("presence_m", {0, 20}, rest.presenceM);
+    rest.presenceShare =
+        table.number("presence_percent", {0.01, 100}, kPercent * rest.presenceShare) / kPercent;
+    const std::chrono::duration<double> leave = rest.leave;
+    rest.leave =
+        units::durationFromMs(1e3 * table.number("leave_s", {0, kLongestS}, leave.count()));
+}
+
 void readHttp(TomlReader& root, const std::filesystem::path& folder, HttpParams& http) {
     auto table = root.table("http");
     const std::string listen = table.text("listen", "");
@@ -63,6 +87,7 @@ void readService(TomlReader& root, const std::filesystem::path& folder, Config& 
     config.control.group = control.text("group", config.control.group);
     readHttp(root, folder, config.http);
     readIdle(root, folder, config.idle);
+    readRest(root, config.rest);
     readMessages(root, config.idle);
 }
 

@@ -7,9 +7,8 @@
 
 namespace autostereo::config {
 
-/// [control], [http], [idle] and [messages]: what a program that runs for months needs beside its
-/// picture.
-/// Files that they name are looked for in `folder`.
+/// [control], [http], [idle], [rest] and [messages]: what a program that runs for months needs
+/// beside its picture. Files that they name are looked for in `folder`.
 void readService(TomlReader& root, const std::filesystem::path& folder, Config& config);
 
 } // namespace autostereo::config

@@ -121,8 +121,8 @@ void writeSensors(Exposition& to, const Status& status) {
 
 void writeShown(Exposition& to, const Status& status) {
     to.family("autostereo_shown", "gauge", "1 for what the panel shows.");
-    for (const auto shown :
-         {Shown::Starting, Shown::Live, Shown::Frozen, Shown::ColorAlone, Shown::Idle})
+    for (const auto shown : {Shown::Starting, Shown::Live, Shown::Frozen, Shown::ColorAlone,
+                             Shown::Idle, Shown::Nobody, Shown::Closed})
         to.sample(std::uint64_t{status.shown == shownName(shown)}, {{"state", shownName(shown)}});
     to.sample(std::uint64_t{status.shown == "pattern"}, {{"state", "pattern"}});
     to.single("autostereo_picture_age_seconds", "gauge", "Since the panel was filled last.",

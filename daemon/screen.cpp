@@ -155,6 +155,11 @@ void Screen::showMessage(const std::string& text) {
     dim();
 }
 
+void Screen::showBlack() {
+    constexpr std::array kBlack{0.0F, 0.0F, 0.0F, 1.0F};
+    glClearNamedFramebufferfv(panel_->framebuffer(), GL_COLOR, 0, kBlack.data());
+}
+
 void Screen::showPattern(const Pattern& pattern) {
     const int width = panel_->width(), height = panel_->height();
     if (makeStill("pattern " + nameOf(pattern)))

@@ -47,6 +47,7 @@ class Screen {
     void followEyes(std::function<calib::EyePair()> latch) { latch_ = std::move(latch); }
     /// An idle picture with a message.
     void showMessage(const std::string& text);
+    void showBlack();
     /// Throws UsageError, GlError.
     void showPattern(const Pattern& pattern);
 
@@ -83,7 +84,7 @@ class Screen {
     std::optional<calib::SensorRig> rig_;
     std::optional<MethodMemory> methods_;
     std::unique_ptr<gpu::Pipeline> pipeline_;
-    std::unique_ptr<Preview> preview_; ///< none before somebody looks
+    std::unique_ptr<Preview> preview_;                ///< none before somebody looks
     const devices::mesh::MeshScene* scene_ = nullptr; ///< its owner's; none: cameras
     std::unique_ptr<gpu::ScenePipeline> scenePipeline_;
     gpu::Pipeline::StageTime stageTime_;

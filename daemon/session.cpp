@@ -50,7 +50,8 @@ Session::Session(const RunOptions& options, const config::Config& config, Tap se
                                                 : std::make_optional(openScene(config, tap()))),
       scene_(isScene(config) ? std::make_optional(openMeshScene(config)) : std::nullopt),
       screen_(config, output_, options.force), policy_(config.idle, clock_.now()),
-      shownSince_(clock_.now()), presentedAt_(clock_.now()) {
+      attendance_(config.rest, clock_.now()), shownSince_(clock_.now()),
+      presentedAt_(clock_.now()) {
     report_.input = config.input;
     report_.stageNames.assign(gpu::Pipeline::kStages.begin(), gpu::Pipeline::kStages.end());
     report_.stageMs.resize(report_.stageNames.size());
@@ -125,8 +126,11 @@ void Session::takeInput() {
 }
 
 bool Session::finished() const {
-    return (feed_ && feed_->ended()) ||
-           (framesWanted_ && report_.presented + report_.skippedTotal() >= *framesWanted_);
+    // A pair that came too late to be shown is none of those that were asked for.
+    const auto late = report_.skipped.find("stale");
+    const std::uint64_t pairs = report_.presented + report_.skippedTotal() -
+                                (late == report_.skipped.end() ? 0 : late->second);
+    return (feed_ && feed_->ended()) || (framesWanted_ && pairs >= *framesWanted_);
 }
 
 bool Session::step() {
@@ -143,8 +147,8 @@ bool Session::step() {
     else if (realtime_)
         showWithoutPair();
     if (!frame) followViewer();
-    const bool stands = pattern_ || shown_ == Shown::Idle;
-    if (redraw_ || (stands && clock_.now() - presentedAt_ >= kStillInterval)) {
+    if (redraw_ ||
+        ((pattern_ || isStanding(shown_)) && clock_.now() - presentedAt_ >= kStillInterval)) {
         drawAgain();
         present();
     }
@@ -164,7 +168,9 @@ bool Session::isFresh(const devices::RgbdFrame& frame) {
 
 void Session::show(devices::RgbdFrame frame) {
     const devices::TimePoint arrivedAt = clock_.now();
-    if (!pattern_) enter(Shown::Live);
+    attendance_.saw(frame.depth, arrivedAt);
+    const auto resting = rest();
+    if (!pattern_) enter(resting.value_or(Shown::Live));
     policy_.presented(arrivedAt);
     const bool same = !last_.depth.empty() && samePicture(frame.depth, last_.depth) &&
                       samePicture(frame.color, last_.color);
@@ -172,8 +178,8 @@ void Session::show(devices::RgbdFrame frame) {
     othersShown_ |= !same && !last_.depth.empty();
     // What never changed leaves nothing older in the pipeline's memory.
     const auto times = othersShown_ || timesShown_ == 0 ? timesShown_ : ~std::uint64_t{0};
-    if (pattern_ || (same && !redraw_ && screen_.pipeline()->isStill(times))) {
-        ++report_.skipped[pattern_ ? "pattern" : "unchanged"];
+    if (pattern_ || resting || (same && !redraw_ && screen_.pipeline()->isStill(times))) {
+        ++report_.skipped[pattern_ ? "pattern" : resting ? shownName(*resting) : "unchanged"];
         last_ = std::move(frame);
         if (!pattern_) watchdog_.pet(); // what is on the panel is the newest there is
         followViewer();
@@ -195,14 +201,20 @@ void Session::show(devices::RgbdFrame frame) {
     last_ = std::move(frame);
 }
 
+std::optional<Shown> Session::rest() const {
+    if (!realtime_) return std::nullopt; // recordings that are hurried are for no visitor
+    return attendance_.rest(clock_.now(), localTime());
+}
+
 void Session::showWithoutPair() {
     const devices::TimePoint now = clock_.now();
     const auto states = sensors();
-    if (!pattern_ && policy_.wantsColor(now, states)) {
+    const auto resting = rest();
+    if (!pattern_ && !resting && policy_.wantsColor(now, states)) {
         if (devices::Frame color = feed_->takeColor(); !color.empty())
             return showColorAlone(std::move(color));
     }
-    if (!pattern_) enter(policy_.decide(now, states));
+    if (!pattern_) enter(resting ? *resting : policy_.decide(now, states));
     const bool idle = !pattern_ && shown_ == Shown::Idle;
     const std::string message = idle ? policy_.message(now, states) : "";
     if (message != message_) {
@@ -245,17 +257,20 @@ void Session::enter(Shown shown) {
     if (shown == Shown::Live) message_.clear();
     spdlog::info("panel: {} after {:.1f} s of {}", shownName(shown),
                  seconds(clock_.now() - shownSince_), shownName(shown_));
+    // What was there before the standing picture is on the panel no more, even if it comes again.
+    redraw_ |= isStanding(shown) || isStanding(shown_);
     shown_ = shown;
     shownSince_ = clock_.now();
-    if (shown == Shown::Idle) redraw_ = true;
 }
 
 void Session::drawAgain() {
     redraw_ = false;
     if (pattern_)
         screen_.showPattern(*pattern_);
-    else if (shown_ == Shown::Idle)
-        screen_.showMessage(message_);
+    else if (shown_ == Shown::Closed)
+        screen_.showBlack();
+    else if (isStanding(shown_))
+        screen_.showMessage(shown_ == Shown::Idle ? message_ : "");
     else if (scene_)
         screen_.showScene(sceneSeconds());
     else if (shown_ == Shown::ColorAlone && !colorAlone_.color.empty())

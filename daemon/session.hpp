@@ -1,5 +1,6 @@
 #pragma once
 
+#include "daemon/attendance.hpp"
 #include "daemon/input_opener.hpp"
 #include "daemon/report.hpp"
 #include "daemon/screen.hpp"
@@ -65,6 +66,8 @@ class Session {
     void takeInput();
     [[nodiscard]] bool isFresh(const devices::RgbdFrame& frame);
     void show(devices::RgbdFrame frame);
+    /// Closed or Nobody, where pictures are not wanted now.
+    [[nodiscard]] std::optional<Shown> rest() const;
     void showWithoutPair();
     void showColorAlone(devices::Frame color);
     void drawAgain();
@@ -87,6 +90,7 @@ class Session {
     std::unique_ptr<Viewer> viewer_; ///< none: nobody is followed
     devices::TimePoint frameAt_;     ///< of the frame shown, media time at --speed max
     ShowPolicy policy_;
+    Attendance attendance_;
     Shown shown_ = Shown::Starting;
     std::string message_;
     std::optional<Pattern> pattern_;

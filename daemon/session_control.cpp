@@ -54,6 +54,7 @@ void Session::replace(const config::Config& config) {
     timesShown_ = 0;
     config_ = config;
     policy_.replace(config.idle);
+    attendance_.replace(config.rest);
     report_.input = config.input;
     redraw_ = true;
     if (!other) return;

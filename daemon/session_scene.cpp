@@ -27,13 +27,14 @@ double Session::sceneSeconds() const {
 
 bool Session::stepScene() {
     if (realtime_) clock_.sleepUntil(presentedAt_ + kPictureInterval);
-    if (!pattern_) enter(Shown::Live);
+    const auto resting = rest();
+    if (!pattern_) enter(resting.value_or(Shown::Live));
     const bool moves = config_.scene.turnS != 0 || scene_->periodS > 0;
     const bool isFirst = report_.presented == 0;
     const bool stands = clock_.now() - presentedAt_ >= kStillInterval;
     ++before_.pairs; // a moment of the scene: presented or skipped
-    if (pattern_ || (!moves && !isFirst && !redraw_)) {
-        ++report_.skipped[pattern_ ? "pattern" : "unchanged"];
+    if (pattern_ || resting || (!moves && !isFirst && !redraw_)) {
+        ++report_.skipped[pattern_ ? "pattern" : resting ? shownName(*resting) : "unchanged"];
         if (redraw_ || (realtime_ && stands)) {
             drawAgain();
             present();

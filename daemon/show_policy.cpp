@@ -30,6 +30,10 @@ const char* shownName(Shown shown) {
         return "frozen";
     case Shown::ColorAlone:
         return "color-alone";
+    case Shown::Nobody:
+        return "nobody";
+    case Shown::Closed:
+        return "closed";
     case Shown::Idle:
         break;
     }

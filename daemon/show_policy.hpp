@@ -14,8 +14,12 @@ enum class Shown {
     Live,
     Frozen,     ///< the last picture: nothing newer came
     ColorAlone, ///< the colour camera's picture, flat: there is no depth
-    Idle        ///< an idle picture with a message
+    Idle,       ///< an idle picture with a message
+    Nobody,     ///< an idle picture without: nobody is there
+    Closed      ///< black: outside of the opening hours
 };
+/// A picture that stands, whatever the cameras see.
+[[nodiscard]] constexpr bool isStanding(Shown shown) { return shown >= Shown::Idle; }
 [[nodiscard]] const char* shownName(Shown shown);
 
 /// Decides what is shown, from when pictures came and how the sensors are: live, then frozen for a

@@ -3,8 +3,6 @@
 #include "tests/replay/kiosk.hpp"
 #include "tests/replay/notify_socket.hpp"
 
-#include "calib/message_picture.hpp"
-
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -13,15 +11,6 @@ namespace autostereo::test {
 namespace {
 
 using std::chrono::milliseconds;
-
-/// The plain idle picture with these words, of the small panel's size.
-ColorPicture messageOf(const std::string& text) {
-    const calib::Picture picture = calib::messagePicture({}, text, kSmallWidth, kSmallHeight);
-    ColorPicture expected{picture.width, picture.height, {}};
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-        if (i % 4 != 3) expected.rgb.push_back(picture.pixels[i]);
-    return expected;
-}
 
 TEST(Idle, WithoutACameraThereIsAPictureThatSaysSo) {
     Kiosk kiosk("messages.no_input = \"Kaputt: wählen Sie 123\"\n");
@@ -33,13 +22,14 @@ TEST(Idle, WithoutACameraThereIsAPictureThatSaysSo) {
     ASSERT_TRUE(
         eventually([&] { return kiosk.status().value("message", "") == "Kaputt: wählen Sie 123"; },
                    milliseconds(3000 * kSlower)));
-    EXPECT_EQ(kiosk.snapshot(), messageOf("Kaputt: wählen Sie 123"));
+    EXPECT_EQ(kiosk.snapshot(), plainMessage("Kaputt: wählen Sie 123"));
     EXPECT_NE(kiosk.status().value("input_problem", "").find("depth"), std::string::npos);
 
     kiosk.plugBoth();
     EXPECT_TRUE(kiosk.shows("live", milliseconds(1500)));
-    EXPECT_TRUE(eventually([&] { return kiosk.snapshot() != messageOf("Kaputt: wählen Sie 123"); },
-                           milliseconds(1000)));
+    EXPECT_TRUE(
+        eventually([&] { return kiosk.snapshot() != plainMessage("Kaputt: wählen Sie 123"); },
+                   milliseconds(1000)));
     const ProgramResult result = kiosk.stop();
     EXPECT_TRUE(succeeded(result));
     EXPECT_NE(result.err.find("panel: Kaputt"), std::string::npos) << "the journal knows, too";
@@ -78,7 +68,7 @@ TEST(Idle, WithoutColourTheLastPictureStaysForAShortTime) {
     EXPECT_GT(contrast(frozen), 10);
     EXPECT_EQ(frozen, kiosk.snapshot());
     ASSERT_TRUE(kiosk.shows("idle", milliseconds(1000 * (kFreezeS + 2))));
-    EXPECT_EQ(kiosk.snapshot(), messageOf("The colour camera does not answer"));
+    EXPECT_EQ(kiosk.snapshot(), plainMessage("The colour camera does not answer"));
     kiosk.unplug("depth");
     EXPECT_TRUE(eventually(
         [&] { return kiosk.status().value("message", "") == "The cameras do not answer"; },

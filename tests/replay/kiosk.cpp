@@ -1,5 +1,7 @@
 #include "tests/replay/kiosk.hpp"
 
+#include "calib/message_picture.hpp"
+
 #include <csignal>
 #include <thread>
 
@@ -10,6 +12,14 @@ namespace {
 constexpr std::chrono::milliseconds kPatience{20'000 * kSlower};
 
 } // namespace
+
+ColorPicture plainMessage(const std::string& text) {
+    const calib::Picture picture = calib::messagePicture({}, text, kSmallWidth, kSmallHeight);
+    ColorPicture expected{picture.width, picture.height, {}};
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        if (i % 4 != 3) expected.rgb.push_back(picture.pixels[i]);
+    return expected;
+}
 
 bool eventually(const std::function<bool()>& what, std::chrono::milliseconds limit) {
     const auto deadline = std::chrono::steady_clock::now() + limit;

@@ -50,6 +50,9 @@ class Kiosk {
     std::unique_ptr<RunningProgram> program_;
 };
 
+/// The plain idle picture with these words, of the small panel's size.
+[[nodiscard]] ColorPicture plainMessage(const std::string& text);
+
 /// Whether it comes true within the time.
 [[nodiscard]] bool eventually(const std::function<bool()>& what, std::chrono::milliseconds limit);
 

@@ -80,6 +80,10 @@ void expectSameService(const Config& a, const Config& b) {
     EXPECT_EQ(a.idle.colorLostText, b.idle.colorLostText);
     EXPECT_EQ(a.idle.bothLostText, b.idle.bothLostText);
     EXPECT_EQ(a.idle.noPairsText, b.idle.noPairsText);
+    EXPECT_EQ(a.rest.hours, b.rest.hours);
+    EXPECT_EQ(a.rest.presenceM, b.rest.presenceM);
+    EXPECT_EQ(a.rest.presenceShare, b.rest.presenceShare);
+    EXPECT_EQ(a.rest.leave, b.rest.leave);
 }
 
 void expectSame(const Config& a, const Config& b) {
@@ -199,6 +203,12 @@ origin_mm = [10, 250, -20]
 rotation_deg = [0, 180, 0]
 axis_scale = [-1, 1, 1]
 angle_scale = [0, 0, -1]
+[rest]
+hours = ["mon-fri 09:00-18:00", "sun 20:00-02:00"]
+presence_m = 1.5
+presence_percent = 25
+leave_s = 0.5
+
 [idle]
 freeze_s = 2.5
 [messages]
@@ -249,6 +259,7 @@ level = "trace"
         250ms,
         {glm::dvec3{0.01, 0.25, -0.02}, {0, std::numbers::pi, 0}, {-1, 1, 1}, {0, 0, -1}}};
     expected.idle = {2500ms, {}, "a", "b", "c", "d", "e", ""};
+    expected.rest = {{{0x1F, 540, 1080}, {0x40, 1200, 120}}, 1.5, 0.25, 500ms};
     expected.control = {"/run/kiosk.sock", "museum"};
     expected.http = {ListenAddress{"192.168.1.5", 80, false}, "/etc/token"};
     expected.log.level = "trace";
