@@ -32,9 +32,9 @@ changed_sources() {
 
 tidy_one() {
     if ((EPOCHSECONDS < deadline)); then
-        clang-tidy -p "$build" --quiet "$1" 2>/dev/null
+        clang-tidy -p "$build" --quiet "$1" 2>/dev/null || { echo "found in $1"; exit 1; }
     else
-        echo "no time left for $1"
+        echo "$1" >>"$left_out"
     fi
 }
 
@@ -48,7 +48,12 @@ mapfile -t files < <(for file in $candidates; do
 done)
 echo "clang-tidy on ${#files[@]} sources"
 ((${#files[@]})) || exit 0
+left_out=$(mktemp)
+trap 'rm -f "$left_out"' EXIT
 export -f tidy_one
-export build deadline
+export build deadline left_out
 # shellcheck disable=SC2016 # the inner bash expands it
-printf '%s\n' "${files[@]}" | xargs -P "$(nproc)" -n 1 bash -c 'tidy_one "$1"' tidy_one
+status=0
+printf '%s\n' "${files[@]}" | xargs -P "$(nproc)" -n 1 bash -c 'tidy_one "$1"' tidy_one || status=1
+[[ ! -s $left_out ]] || echo "no time left for $(wc -l <"$left_out") of them"
+exit $status
