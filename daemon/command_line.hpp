@@ -1,7 +1,7 @@
 #pragma once
 
 #include "config/config.hpp"
-#include "daemon/control_request.hpp"
+#include "daemon/control/control_request.hpp"
 #include "tests/bench/views/row.hpp"
 
 #include <glm/vec3.hpp>

@@ -1,6 +1,6 @@
 #include "config/load.hpp"
-#include "daemon/commands.hpp"
-#include "daemon/control_socket.hpp"
+#include "daemon/commands/commands.hpp"
+#include "daemon/control/control_socket.hpp"
 #include "devices/input.hpp"
 #include "gpu/gl/error.hpp"
 

@@ -1,5 +1,5 @@
 #include "config/load.hpp"
-#include "daemon/control_request.hpp"
+#include "daemon/control/control_request.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 using namespace autostereo; // NOLINT(google-build-using-namespace): a program's own entry

@@ -2,8 +2,8 @@
 
 #include "tests/replay/kiosk.hpp"
 
-#include "daemon/control_client.hpp"
-#include "daemon/control_socket.hpp"
+#include "daemon/control/control_client.hpp"
+#include "daemon/control/control_socket.hpp"
 
 #include <gtest/gtest.h>
 

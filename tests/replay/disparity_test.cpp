@@ -2,7 +2,7 @@
 // depth through the display's law.
 
 #include "config/load.hpp"
-#include "daemon/plain_display.hpp"
+#include "daemon/commands/plain_display.hpp"
 #include "gpu/scene_geometry.hpp"
 #include "tests/replay/pictures.hpp"
 #include "tests/replay/program.hpp"

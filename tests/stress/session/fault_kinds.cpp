@@ -1,7 +1,7 @@
 #include "tests/stress/session/fault_kinds.hpp"
 
-#include "daemon/control_socket.hpp"
-#include "daemon/pattern_picture.hpp"
+#include "daemon/control/control_socket.hpp"
+#include "daemon/session/pattern_picture.hpp"
 
 #include <algorithm>
 #include <csignal>

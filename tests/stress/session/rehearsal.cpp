@@ -1,9 +1,9 @@
 #include "tests/stress/session/rehearsal.hpp"
 
-#include "daemon/control_client.hpp"
-#include "daemon/control_socket.hpp"
+#include "daemon/control/control_client.hpp"
+#include "daemon/control/control_socket.hpp"
 #include "daemon/log.hpp"
-#include "daemon/pattern_picture.hpp"
+#include "daemon/session/pattern_picture.hpp"
 #include "tests/support/image_compare.hpp"
 #include "tests/support/small_display.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "daemon/control_desk.hpp"
-#include "daemon/session.hpp"
+#include "daemon/control/control_desk.hpp"
+#include "daemon/session/session.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/staged_sensor.hpp"
 

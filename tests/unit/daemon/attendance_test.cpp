@@ -1,4 +1,4 @@
-#include "daemon/attendance.hpp"
+#include "daemon/session/attendance.hpp"
 
 #include "devices/frame_pool.hpp"
 

@@ -1,6 +1,6 @@
-#include "daemon/control_client.hpp"
-#include "daemon/control_server.hpp"
-#include "daemon/control_socket.hpp"
+#include "daemon/control/control_client.hpp"
+#include "daemon/control/control_server.hpp"
+#include "daemon/control/control_socket.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>

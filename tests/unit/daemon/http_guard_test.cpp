@@ -1,6 +1,6 @@
-#include "daemon/http_guard.hpp"
+#include "daemon/http/http_guard.hpp"
 
-#include "daemon/control_socket.hpp"
+#include "daemon/control/control_socket.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>

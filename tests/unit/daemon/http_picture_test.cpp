@@ -1,4 +1,4 @@
-#include "daemon/http_picture.hpp"
+#include "daemon/http/http_picture.hpp"
 
 #include <gtest/gtest.h>
 

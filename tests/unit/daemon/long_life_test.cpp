@@ -1,8 +1,8 @@
 // Ten years of uptime and counters beyond what 32 bits or a double's mantissa hold: nothing is any
 // different from the first day.
 
-#include "daemon/report.hpp"
-#include "daemon/show_policy.hpp"
+#include "daemon/session/report.hpp"
+#include "daemon/session/show_policy.hpp"
 #include "devices/frame_sync.hpp"
 #include "devices/paced_source.hpp"
 #include "devices/sequence_counter.hpp"

@@ -1,4 +1,4 @@
-#include "daemon/metrics.hpp"
+#include "daemon/session/metrics.hpp"
 
 #include "tests/support/prometheus_text.hpp"
 

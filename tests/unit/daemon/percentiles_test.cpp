@@ -1,4 +1,4 @@
-#include "daemon/percentiles.hpp"
+#include "daemon/session/percentiles.hpp"
 
 #include <gtest/gtest.h>
 

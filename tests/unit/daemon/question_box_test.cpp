@@ -1,4 +1,4 @@
-#include "daemon/question_box.hpp"
+#include "daemon/http/question_box.hpp"
 
 #include <gtest/gtest.h>
 

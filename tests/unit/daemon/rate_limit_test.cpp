@@ -1,4 +1,4 @@
-#include "daemon/rate_limit.hpp"
+#include "daemon/http/rate_limit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "daemon/report.hpp"
+#include "daemon/session/report.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

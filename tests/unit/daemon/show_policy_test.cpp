@@ -1,4 +1,4 @@
-#include "daemon/show_policy.hpp"
+#include "daemon/session/show_policy.hpp"
 
 #include <gtest/gtest.h>
 

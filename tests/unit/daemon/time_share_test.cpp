@@ -1,4 +1,4 @@
-#include "daemon/time_share.hpp"
+#include "daemon/control/time_share.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "daemon/watchdog.hpp"
+#include "daemon/session/watchdog.hpp"
 #include "tests/support/fake_clock.hpp"
 
 #include <gtest/gtest.h>

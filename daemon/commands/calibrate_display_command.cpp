@@ -1,0 +1,140 @@
+#include "calib/solve/display_solver.hpp"
+#include "calib/solve/refusal.hpp"
+#include "config/display_unit.hpp"
+#include "config/load.hpp"
+#include "daemon/commands/commands.hpp"
+#include "daemon/log.hpp"
+#include "daemon/picture_files.hpp"
+#include "devices/replay/image_files.hpp"
+#include "devices/replay/whole_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <iostream>
+
+namespace autostereo::daemon {
+
+namespace {
+
+constexpr std::size_t kPerPlace = 1 + calib::Fringes::kSteps;
+
+struct Photograph {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+
+    [[nodiscard]] calibrate::ColorImage image() const { return {width, height, rgb}; }
+};
+
+Photograph readPhotograph(const std::filesystem::path& file) {
+    devices::ImageReader reader;
+    const devices::ImageHeader header = reader.open(file);
+    if (header.format != devices::ImageFormat::Rgba8)
+        throw UsageError("--photographs: " + file.string() +
+                         " is 16-bit grey (allowed PNG or JPEG in colour)");
+    std::vector<std::byte> pixels(header.bytes());
+    reader.decode(pixels);
+    return {header.width, header.height, withoutAlpha(pixels)};
+}
+
+std::vector<calibrate::PanelSight> sightsIn(const CalibrateDisplayOptions& options,
+                                            const calib::SubpixelLayout& panel,
+                                            const calib::CameraModel& camera) {
+    std::vector<calibrate::PanelSight> sights;
+    for (std::size_t first = 0; first < options.photographs.size(); first += kPerPlace) {
+        std::vector<Photograph> shots;
+        for (std::size_t i = 0; i < kPerPlace; ++i)
+            shots.push_back(readPhotograph(options.photographs[first + i]));
+        sights.push_back(
+            calibrate::seePanel(panel, camera,
+                                {options.photographs[first].string(),
+                                 shots[0].image(),
+                                 {shots[1].image(), shots[2].image(), shots[3].image()}}));
+    }
+    return sights;
+}
+
+/// The file's text, read back: a file whose other keys overrule these numbers is of no use.
+std::string unitFile(const CalibrateDisplayOptions& options,
+                     const calibrate::DisplayCalibration& found) {
+    std::vector<config::MeasuredValue> values;
+    for (const calibrate::MeasuredNumber& number : found.numbers)
+        values.push_back({number.table, number.key, number.value, number.half95});
+    std::string text = config::measuredDisplay(options.display, values);
+    const auto written = config::displayFromText(options.output.string(), text);
+    const calib::LensArray is = calib::displayOptics(written)->lenses;
+    const calib::LensArray should = calib::displayOptics(found.display)->lenses;
+    constexpr double kRounding = 1e-9; // relative
+    const auto differs = [](double a, double b, double scale) {
+        return std::abs(a - b) > kRounding * scale;
+    };
+    if (differs(is.pitchM, should.pitchM, should.pitchM) || differs(is.slant, should.slant, 1) ||
+        differs(is.axisM, should.axisM, found.display.widthM) ||
+        differs(is.gapM, should.gapM, should.gapM))
+        throw UsageError("--display: " + options.display +
+                         " gives its lenses by keys that overrule the measured ones (give it by "
+                         "subpixels_per_lens, row_shift_subpixels, without mirror)");
+    return text;
+}
+
+nlohmann::json toJson(const calibrate::DisplayCalibration& found) {
+    nlohmann::json numbers;
+    for (const calibrate::MeasuredNumber& number : found.numbers)
+        numbers[number.table + '.' + number.key] = {{"value", number.value},
+                                                    {"half95", number.half95}};
+    return {{"numbers", numbers},
+            {"phase_95_views", found.half95Views},
+            {"rms_views", found.rmsViews},
+            {"local_views", found.localViews}};
+}
+
+void print(const calibrate::DisplayCalibration& found,
+           const std::vector<calibrate::PanelSight>& sights) {
+    for (const calibrate::PanelSight& sight : sights)
+        std::printf("%s: camera at %.3f, %.3f, %.3f m, board %.2f px rms, fringes' contrast %.2f\n",
+                    sight.name.c_str(), sight.eye.x, sight.eye.y, sight.eye.z, sight.boardPx,
+                    sight.fringes.contrast);
+    for (const calibrate::MeasuredNumber& number : found.numbers)
+        std::printf("%s.%s = %.10g +- %.2g\n", number.table.c_str(), number.key.c_str(),
+                    number.value, number.half95);
+    std::printf("phase anywhere on the panel: within %.3f views (95 %%), places disagree by %.3f, "
+                "deformation of the sheet %.3f\n",
+                found.half95Views, found.rmsViews, found.localViews);
+    constexpr double kDeformed = 0.5; // views
+    if (found.localViews > kDeformed)
+        std::printf("warning: the sheet is deformed, which these numbers cannot say\n");
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int calibrateDisplay(const CalibrateDisplayOptions& options) {
+    setUpLog("warn");
+    if (options.output.extension() != ".toml")
+        throw UsageError("--output: " + options.output.string() +
+                         " is no display file (allowed *.toml)");
+    if (options.photographs.size() % kPerPlace != 0)
+        throw UsageError("--photographs: " + std::to_string(options.photographs.size()) +
+                         " files (allowed four from each place: calibration-board, then "
+                         "calibration-fringes-1 to -3)");
+    const calib::DisplayProfile assumed = config::loadDisplay(options.display);
+    const auto panel = calib::subpixelLayout(assumed);
+    if (!panel || !calib::displayOptics(assumed))
+        throw UsageError("--display: " + assumed.name + " has no optics that are known (type " +
+                         assumed.type + "): nothing to measure");
+    const calib::SensorRig rig = config::loadRig(options.camera);
+    try {
+        const auto sights = sightsIn(options, *panel, rig.color);
+        const auto found = calibrate::calibrateDisplay(assumed, sights);
+        devices::replaceKeepingOld(options.output, unitFile(options, found), "calibrate: ");
+        if (options.json)
+            std::cout << toJson(found).dump(2) << '\n';
+        else
+            print(found, sights);
+    } catch (const calibrate::Refusal& refusal) {
+        throw calibrate::Refusal(std::string("calibrate display: ") + refusal.what());
+    }
+    return EXIT_SUCCESS;
+}
+
+} // namespace autostereo::daemon

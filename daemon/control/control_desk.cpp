@@ -1,0 +1,155 @@
+#include "daemon/control/control_desk.hpp"
+
+#include "config/load.hpp"
+#include "daemon/control/control_socket.hpp"
+#include "daemon/log.hpp"
+#include "daemon/session/metrics.hpp"
+#include "daemon/session/pattern_picture.hpp"
+
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+namespace autostereo::daemon {
+
+namespace {
+
+constexpr int kMostAtOnce = 8; // answered between two pictures
+constexpr int kMostOfPage = 2;
+constexpr int kFailed = 1;
+
+ControlReply done() { return {R"({"ok": true})"}; }
+
+ControlReply pictureReply(gpu::RgbImage image) {
+    const nlohmann::ordered_json line{{"ok", true},
+                                      {"width", image.width},
+                                      {"height", image.height},
+                                      {"bytes", image.pixels.size()}};
+    return {line.dump(),
+            std::make_shared<const std::vector<std::uint8_t>>(std::move(image.pixels))};
+}
+
+std::optional<std::filesystem::path> socketOf(const config::ControlParams& params) {
+    if (!params.socket) return ownControlSocket();
+    if (params.socket->empty()) return std::nullopt;
+    return *params.socket;
+}
+
+} // namespace
+
+ControlDesk::ControlDesk(const RunOptions& options, const config::Config& config, Session& session)
+    : options_(options.scene), config_(config), session_(session) {
+    std::optional<gid_t> group;
+    if (!config.control.group.empty()) group = groupNamed(config.control.group);
+    if (config.http.listen) openPage();
+    const auto socket = socketOf(config.control);
+    if (!socket) return;
+    try {
+        server_ = std::make_unique<ControlServer>(*socket, group);
+        spdlog::info("control: {}", socket->string());
+    } catch (const ControlError& error) {
+        spdlog::warn("{}", error.what());
+    }
+}
+
+void ControlDesk::openPage() try {
+    page_ = std::make_unique<HttpServer>(config_.http);
+    spdlog::info("http: {}", page_->address());
+} catch (const ControlError& error) {
+    spdlog::warn("{}", error.what());
+}
+
+void ControlDesk::serve() {
+    for (int i = 0; server_ && i < kMostAtOnce; ++i) {
+        const auto asked = server_->take();
+        if (!asked) break;
+        server_->answer(asked->client, answer(asked->request));
+    }
+    for (int i = 0; page_ && i < kMostOfPage; ++i) {
+        const auto question = page_->take();
+        if (!question) break;
+        page_->answer(answer(*question));
+    }
+}
+
+ControlReply ControlDesk::answer(const Question& question) try {
+    return std::visit([this](const auto& wish) { return answerTo(wish); }, question);
+} catch (const config::ConfigError& error) {
+    return refusal(error.what(), kBadRequest);
+} catch (const devices::AddressError& error) {
+    return refusal(error.what(), kBadRequest);
+} catch (const UsageError& error) {
+    return refusal(error.what(), kBadRequest);
+} catch (const std::exception& error) {
+    return refusal(error.what(), kFailed);
+}
+
+ControlReply ControlDesk::answerTo(const ControlRequest& request) {
+    return std::visit([this](const auto& wish) { return answerTo(wish); }, request);
+}
+
+ControlReply ControlDesk::answerTo(const MetricsRequest& /*request*/) {
+    return {metricsText(session_.status(), session_.accounts(), residentMemory())};
+}
+
+ControlReply ControlDesk::answerTo(const PreviewRequest& request) {
+    const devices::SteadyClock clock;
+    const devices::TimePoint start = clock.now();
+    if (!previews_.isFree(start)) return refusal("preview: the panel comes first", kNotNow);
+    ControlReply reply = pictureReply(session_.preview(request));
+    previews_.used(start, clock.now());
+    return reply;
+}
+
+ControlReply ControlDesk::answerTo(const StatusRequest& /*request*/) {
+    return {statusLine(session_.status(), session_.accounts())};
+}
+
+ControlReply ControlDesk::answerTo(const SnapshotRequest& /*request*/) {
+    return pictureReply(session_.picture());
+}
+
+ControlReply ControlDesk::answerTo(const ReloadRequest& /*request*/) {
+    try {
+        replaceConfiguration();
+    } catch (const std::exception& error) {
+        spdlog::warn("reload: the old configuration stays: {}", error.what());
+        throw;
+    }
+    return done();
+}
+
+ControlReply ControlDesk::answerTo(const SetRequest& request) {
+    config::Config next = config::changed(config_, request.name, request.value);
+    session_.adjust(next);
+    config_ = std::move(next);
+    spdlog::info("set: {} = {}", request.name, request.value);
+    return done();
+}
+
+ControlReply ControlDesk::answerTo(const ShowRequest& request) {
+    if (request.what == "live")
+        session_.showPattern(std::nullopt);
+    else
+        session_.showPattern(patternNamed(request.what));
+    spdlog::info("show: {}", request.what);
+    return done();
+}
+
+void ControlDesk::reload() {
+    const ControlReply reply = answer(ControlRequest(ReloadRequest{}));
+    static_cast<void>(reply); // nobody asked on a socket; the log has it
+}
+
+void ControlDesk::replaceConfiguration() {
+    config::Config next = configuration(options_);
+    session_.replace(next);
+    if (next.control.socket != config_.control.socket ||
+        next.control.group != config_.control.group)
+        spdlog::warn("reload: [control] needs a restart");
+    if (!(next.http == config_.http)) spdlog::warn("reload: [http] needs a restart");
+    config_ = std::move(next);
+    setUpLog(config_.log.level);
+    spdlog::info("reload: done");
+}
+
+} // namespace autostereo::daemon
