@@ -37,17 +37,21 @@ toml::table& tableIn(toml::table& root, const std::string& name) {
 
 } // namespace
 
-std::string measuredDisplay(const std::string& assumed, const std::vector<MeasuredValue>& values) {
+std::string measuredDisplay(const std::string& assumed, const std::vector<MeasuredValue>& values,
+                            MeasuredBy by) {
     toml::table root = startingFrom(assumed);
     for (const MeasuredValue& value : values) {
         tableIn(root, value.table).insert_or_assign(value.key, value.value);
         tableIn(root, "provenance").insert_or_assign(value.key, "measured");
-        tableIn(root, "notes").insert_or_assign(value.key + "_95", "+- " + plain(value.half95));
+        if (value.half95 > 0)
+            tableIn(root, "notes").insert_or_assign(value.key + "_95", "+- " + plain(value.half95));
+        else
+            tableIn(root, "notes").erase(value.key + "_95"); // of an earlier measurement
     }
     std::ostringstream text;
-    text
-        << "# Measured from photographs by autostereo calibrate display; the rest is its model's.\n"
-        << root << '\n';
+    text << (by == MeasuredBy::Eye ? "# Set by eye with" : "# Measured from photographs by")
+         << " autostereo calibrate display; the rest is its model's.\n"
+         << root << '\n';
     return text.str();
 }
 

@@ -10,14 +10,15 @@ namespace autostereo::config {
 struct MeasuredValue {
     std::string table, key;
     double value = 0;
-    double half95 = 0; ///< half of its 95 % interval
+    double half95 = 0; ///< half of its 95 % interval; 0: not known
 };
+enum class MeasuredBy { Photographs, Eye };
 
 /// The display file of one unit: what `assumed` (a shipped display's name, a display file, a
 /// Looking Glass' or CubeVi's own calibration) says, with these numbers in place of its own, each
 /// marked as measured, its interval in [notes]. Reads back to the values to the last digit. Throws
 /// ConfigError.
 [[nodiscard]] std::string measuredDisplay(const std::string& assumed,
-                                          const std::vector<MeasuredValue>& values);
+                                          const std::vector<MeasuredValue>& values, MeasuredBy by);
 
 } // namespace autostereo::config

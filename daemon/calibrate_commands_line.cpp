@@ -20,18 +20,17 @@ void addNoise(CLI::App& calibrate, CalibrateNoiseOptions& noise) {
 
 void addDisplay(CLI::App& calibrate, CalibrateDisplayOptions& display) {
     CLI::App* command = calibrate.add_subcommand(
-        "display", "A display's own pitch, slant, offset and fan, from photographs of patterns");
+        "display",
+        "A display's own pitch, slant, offset and fan, from photographs of patterns or by eye");
     command->add_option("--display", display.display, "Its model's name, or a file to start from")
         ->required();
-    command
-        ->add_option("--camera", display.camera,
-                     "Rig file whose colour camera took them (calibrate cameras)")
-        ->required();
-    command
-        ->add_option("--photographs", display.photographs,
-                     "From each of two places or more, side by side: pattern calibration-board, "
-                     "then calibration-fringes-1, -2, -3, the camera on a tripod (PNG, JPEG)")
-        ->required();
+    command->add_option("--camera", display.camera,
+                        "Rig file whose colour camera took them (calibrate cameras)");
+    command->add_option("--photographs", display.photographs,
+                        "From each of two places or more, side by side: pattern calibration-board, "
+                        "then calibration-fringes-1, -2, -3, the camera on a tripod (PNG, JPEG)");
+    command->add_flag("--keys", display.keys,
+                      "Or by eye: full screen on the panel itself, arrow keys change the numbers");
     command->add_flag("--json", display.json, "Figures for machines");
     command->add_option("--output", display.output, "Display file, .toml (an old one kept as .old)")
         ->required();

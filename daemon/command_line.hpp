@@ -163,6 +163,7 @@ struct CalibrateDisplayOptions {
     std::string display;                            ///< that is assumed: the panel's model
     std::filesystem::path camera;                   ///< rig file: its colour camera
     std::vector<std::filesystem::path> photographs; ///< four from each place
+    bool keys = false;                              ///< by eye instead
     bool json = false;
     std::filesystem::path output;
 };

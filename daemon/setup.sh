@@ -21,7 +21,7 @@ test_packages=(
     libgtest-dev libgmock-dev libbenchmark-dev glslang-tools clang-format clang-tidy git
     clang libclang-rt-dev
     ffmpeg mkvtoolnix
-    xvfb xauth x11-utils x11-apps x11-xserver-utils libxcb-xfixes0-dev
+    xvfb xauth xdotool x11-utils x11-apps x11-xserver-utils libxcb-xfixes0-dev
     libopencv-photo-dev chromium chromium-driver
     linux-source make gcc flex bison bc xz-utils busybox
 )

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "gpu/gl/api.hpp"
+#include "gpu/key_press.hpp"
 
 #include <string>
+#include <vector>
 
 namespace autostereo::gpu {
 
@@ -16,6 +18,8 @@ class Panel {
     [[nodiscard]] virtual GLuint framebuffer() const = 0;
     virtual void present() = 0;
     virtual void pollEvents() = 0;
+    /// Pressed since the last call, as far as `pollEvents` has seen; none without a keyboard.
+    [[nodiscard]] virtual std::vector<KeyPress> takeKeys() { return {}; }
     [[nodiscard]] virtual bool closed() const = 0;
     [[nodiscard]] virtual std::string description() const = 0;
 };

@@ -6,7 +6,10 @@
 #include <GLFW/glfw3.h>
 #include <spdlog/spdlog.h>
 
+#include <cctype>
+#include <optional>
 #include <span>
+#include <utility>
 
 namespace autostereo::gpu {
 
@@ -31,6 +34,39 @@ std::string lastError() {
     const char* reason = nullptr;
     glfwGetError(&reason);
     return reason != nullptr ? reason : "unknown reason";
+}
+
+std::optional<KeyPress> keyPressOf(int key, int scancode) {
+    using Key = KeyPress::Key;
+    switch (key) {
+    case GLFW_KEY_LEFT:
+        return KeyPress{Key::Left};
+    case GLFW_KEY_RIGHT:
+        return KeyPress{Key::Right};
+    case GLFW_KEY_UP:
+        return KeyPress{Key::Up};
+    case GLFW_KEY_DOWN:
+        return KeyPress{Key::Down};
+    case GLFW_KEY_PAGE_UP:
+        return KeyPress{Key::PageUp};
+    case GLFW_KEY_PAGE_DOWN:
+        return KeyPress{Key::PageDown};
+    default:
+        break;
+    }
+    const char* name = glfwGetKeyName(key, scancode);
+    if (name == nullptr || std::isalpha(static_cast<unsigned char>(name[0])) == 0) return {};
+    return KeyPress{Key::Letter,
+                    static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])))};
+}
+
+void noteKey(GLFWwindow* window, int key, int scancode, int action, int /*modifiers*/) {
+    constexpr std::size_t kMost = 256; // nobody takes them
+    auto& keys = *static_cast<std::vector<KeyPress>*>(glfwGetWindowUserPointer(window));
+    if (action == GLFW_RELEASE) return;
+    if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window, GLFW_TRUE);
+    if (keys.size() >= kMost) return;
+    if (const auto press = keyPressOf(key, scancode)) keys.push_back(*press);
 }
 
 void setHints(const GLFWvidmode& mode, bool debugContext) {
@@ -79,6 +115,8 @@ WindowPanel::WindowPanel(const MonitorRequest& request, bool debugContext) {
     if (debugContext) gl::logDebugOutput();
     glfwSwapInterval(1);
     glfwSetInputMode(window_, GLFW_CURSOR, GLFW_CURSOR_HIDDEN);
+    glfwSetWindowUserPointer(window_, &keys_);
+    glfwSetKeyCallback(window_, noteKey);
     glfwGetFramebufferSize(window_, &width_, &height_);
     if (width_ != mode->width || height_ != mode->height)
         spdlog::warn("window: framebuffer {} on a monitor of {}: the picture is scaled and the "
@@ -93,11 +131,9 @@ WindowPanel::~WindowPanel() {
 
 void WindowPanel::present() { glfwSwapBuffers(window_); }
 void WindowPanel::pollEvents() { glfwPollEvents(); }
+std::vector<KeyPress> WindowPanel::takeKeys() { return std::exchange(keys_, {}); }
 
-bool WindowPanel::closed() const {
-    return glfwWindowShouldClose(window_) == GLFW_TRUE ||
-           glfwGetKey(window_, GLFW_KEY_ESCAPE) == GLFW_PRESS;
-}
+bool WindowPanel::closed() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 
 std::optional<GammaRamp> WindowPanel::gammaRamp() const {
     const GLFWgammaramp* ramp = glfwGetGammaRamp(glfwGetWindowMonitor(window_));

@@ -37,6 +37,7 @@ class WindowPanel final : public Panel {
     [[nodiscard]] GLuint framebuffer() const override { return 0; }
     void present() override;
     void pollEvents() override;
+    [[nodiscard]] std::vector<KeyPress> takeKeys() override;
     [[nodiscard]] bool closed() const override;
     [[nodiscard]] std::string description() const override { return description_; }
 
@@ -48,6 +49,7 @@ class WindowPanel final : public Panel {
     int width_ = 0;
     int height_ = 0;
     std::string description_;
+    std::vector<KeyPress> keys_;
 };
 
 } // namespace autostereo::gpu

@@ -1,8 +1,9 @@
 #include "calib/solve/display_solver.hpp"
 #include "calib/solve/refusal.hpp"
-#include "config/display_unit.hpp"
 #include "config/load.hpp"
 #include "daemon/commands/commands.hpp"
+#include "daemon/commands/display_unit_file.hpp"
+#include "daemon/commands/tune_display.hpp"
 #include "daemon/log.hpp"
 #include "daemon/picture_files.hpp"
 #include "devices/replay/image_files.hpp"
@@ -54,29 +55,6 @@ std::vector<calibrate::PanelSight> sightsIn(const CalibrateDisplayOptions& optio
     return sights;
 }
 
-/// The file's text, read back: a file whose other keys overrule these numbers is of no use.
-std::string unitFile(const CalibrateDisplayOptions& options,
-                     const calibrate::DisplayCalibration& found) {
-    std::vector<config::MeasuredValue> values;
-    for (const calibrate::MeasuredNumber& number : found.numbers)
-        values.push_back({number.table, number.key, number.value, number.half95});
-    std::string text = config::measuredDisplay(options.display, values);
-    const auto written = config::displayFromText(options.output.string(), text);
-    const calib::LensArray is = calib::displayOptics(written)->lenses;
-    const calib::LensArray should = calib::displayOptics(found.display)->lenses;
-    constexpr double kRounding = 1e-9; // relative
-    const auto differs = [](double a, double b, double scale) {
-        return std::abs(a - b) > kRounding * scale;
-    };
-    if (differs(is.pitchM, should.pitchM, should.pitchM) || differs(is.slant, should.slant, 1) ||
-        differs(is.axisM, should.axisM, found.display.widthM) ||
-        differs(is.gapM, should.gapM, should.gapM))
-        throw UsageError("--display: " + options.display +
-                         " gives its lenses by keys that overrule the measured ones (give it by "
-                         "subpixels_per_lens, row_shift_subpixels, without mirror)");
-    return text;
-}
-
 nlohmann::json toJson(const calibrate::DisplayCalibration& found) {
     nlohmann::json numbers;
     for (const calibrate::MeasuredNumber& number : found.numbers)
@@ -113,6 +91,9 @@ int calibrateDisplay(const CalibrateDisplayOptions& options) {
     if (options.output.extension() != ".toml")
         throw UsageError("--output: " + options.output.string() +
                          " is no display file (allowed *.toml)");
+    if (options.keys) return tuneDisplay(options);
+    if (options.photographs.empty() || options.camera.empty())
+        throw UsageError("calibrate display: --camera and --photographs are needed (or --keys)");
     if (options.photographs.size() % kPerPlace != 0)
         throw UsageError("--photographs: " + std::to_string(options.photographs.size()) +
                          " files (allowed four from each place: calibration-board, then "
@@ -126,7 +107,11 @@ int calibrateDisplay(const CalibrateDisplayOptions& options) {
     try {
         const auto sights = sightsIn(options, *panel, rig.color);
         const auto found = calibrate::calibrateDisplay(assumed, sights);
-        devices::replaceKeepingOld(options.output, unitFile(options, found), "calibrate: ");
+        devices::replaceKeepingOld(options.output,
+                                   unitFile(options.display, options.output,
+                                            {found.display, found.numbers},
+                                            config::MeasuredBy::Photographs),
+                                   "calibrate: ");
         if (options.json)
             std::cout << toJson(found).dump(2) << '\n';
         else

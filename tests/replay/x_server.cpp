@@ -19,6 +19,7 @@ namespace {
 constexpr const char* kServer = "/usr/bin/Xvfb";
 constexpr const char* kScreenshot = "/usr/bin/xwd";
 constexpr const char* kSettings = "/usr/bin/xset";
+constexpr const char* kKeys = "/usr/bin/xdotool";
 
 ProgramCall serverCall(int width, int height) {
     ProgramCall call;
@@ -90,6 +91,16 @@ ColorPicture XServer::screenshot() const {
     return parseXwd(result.out);
 }
 
+void XServer::press(const std::vector<std::string>& keys) const {
+    ProgramCall call;
+    call.program = kKeys;
+    call.arguments = {"key", "--delay", "50"};
+    call.arguments.insert(call.arguments.end(), keys.begin(), keys.end());
+    call.environment = {"DISPLAY=" + display()};
+    const ProgramResult result = runProgram(call);
+    if (result.exitCode != 0) throw std::runtime_error("xdotool: " + result.err);
+}
+
 int XServer::screenSaverTimeout() const {
     ProgramCall call;
     call.program = kSettings;
@@ -119,7 +130,7 @@ bool XServer::pointerVisible() const {
 }
 
 std::optional<std::string> XServer::missing() {
-    for (const char* program : {kServer, kScreenshot, kSettings})
+    for (const char* program : {kServer, kScreenshot, kSettings, kKeys})
         if (!std::filesystem::exists(program)) return std::string(program) + " is not installed";
     return std::nullopt;
 }

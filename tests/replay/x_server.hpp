@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace autostereo::test {
 
@@ -19,6 +20,8 @@ class XServer {
     /// The whole screen as it is now.
     [[nodiscard]] ColorPicture screenshot() const;
 
+    /// Keys of the keyboard, by X's names, one after the other. Throws std::runtime_error.
+    void press(const std::vector<std::string>& keys) const;
     /// Seconds without input until the screen saver comes; 0: never.
     [[nodiscard]] int screenSaverTimeout() const;
     /// The pointer's picture has at least one pixel that is not transparent.
