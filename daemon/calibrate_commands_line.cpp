@@ -50,6 +50,8 @@ void addBoard(CLI::App& command, BoardOptions& options) {
     command.add_option("--every", options.every, "Of an input: every so manieth")
         ->capture_default_str()
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000}));
+    command.add_flag("--live", options.live,
+                     "Of an input: say what to do and take what is still, sharp and new");
     command.add_option("--board", options.board, "Inner corners, COLUMNSxROWS (default: 9x6)");
     command.add_option("--square-mm", options.squareMm, "Side of a square, mm (default: 25)")
         ->check(CLI::Range(0.1, 10000.0));

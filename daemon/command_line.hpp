@@ -148,6 +148,7 @@ struct BoardOptions {
     std::optional<std::string> input; ///< instead of pictures
     std::uint64_t views = 20;         ///< taken from an input,
     std::uint64_t every = 30;         ///< every so manieth pair
+    bool live = false;                ///< or those that are worth it, while somebody watches
     std::string board = "9x6";
     double squareMm = 25;
     std::optional<std::string> dictionary; ///< of a ChArUco board

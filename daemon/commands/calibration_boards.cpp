@@ -1,9 +1,9 @@
 #include "daemon/commands/calibration_boards.hpp"
 
-#include "calib/solve/board_detector.hpp"
 #include "config/units.hpp"
+#include "daemon/commands/board_gatherer.hpp"
+#include "daemon/commands/live_boards.hpp"
 #include "daemon/wiring.hpp"
-#include "devices/replay/grey_image.hpp"
 #include "devices/replay_feed.hpp"
 
 #include <array>
@@ -14,8 +14,6 @@
 namespace autostereo::daemon {
 
 namespace {
-
-using devices::GreyPixels;
 
 /// "picture 3 of 20", where somebody watches.
 class Progress {
@@ -36,47 +34,9 @@ class Progress {
     bool shown_;
 };
 
-/// One camera's pictures, as they come.
-class Gatherer {
-  public:
-    Gatherer(const calibrate::Board& board, FoundBoards& found, bool isDepth)
-        : board_(board), found_(found), isDepth_(isDepth),
-          views_(isDepth ? found.views.depth : found.views.color),
-          width_(isDepth ? found.sizes.depthWidth : found.sizes.colorWidth),
-          height_(isDepth ? found.sizes.depthHeight : found.sizes.colorHeight) {}
-
-    /// The view's place, if the board is there.
-    std::optional<std::size_t> look(const GreyPixels& picture, const std::string& name) {
-        if (width_ == 0) {
-            width_ = picture.width;
-            height_ = picture.height;
-        }
-        if (picture.width != width_ || picture.height != height_)
-            throw devices::DeviceError("calibrate: " + name + " is " +
-                                       std::to_string(picture.width) + "x" +
-                                       std::to_string(picture.height) + ", those before it " +
-                                       std::to_string(width_) + "x" + std::to_string(height_));
-        auto view = calibrate::findBoard(
-            {width_, height_, picture.values, isDepth_ || picture.is16Bit}, board_, name);
-        if (!view) {
-            found_.withoutBoard.push_back(name);
-            return std::nullopt;
-        }
-        views_.push_back(std::move(*view));
-        return views_.size() - 1;
-    }
-
-  private:
-    const calibrate::Board& board_;
-    FoundBoards& found_;
-    bool isDepth_;
-    std::vector<calibrate::BoardView>& views_;
-    int &width_, &height_;
-};
-
 void lookInFiles(const BoardOptions& options, const calibrate::Board& board, FoundBoards& found) {
     Progress progress(options.depth.size() + options.color.size());
-    Gatherer depth(board, found, true), color(board, found, false);
+    BoardGatherer depth(board, found, true), color(board, found, false);
     std::vector<std::optional<std::size_t>> depthPlaces;
     for (const auto& file : options.depth) {
         progress.next();
@@ -91,45 +51,23 @@ void lookInFiles(const BoardOptions& options, const calibrate::Board& board, Fou
     }
 }
 
-double stampOf(const devices::Frame& frame) {
-    return std::chrono::duration<double>(frame.metadata().capturedAt.time_since_epoch()).count();
-}
-
-/// A depth frame with its amplitudes; none without.
-std::optional<std::size_t> lookAtDepth(Gatherer& gatherer, const devices::Frame& frame,
-                                       const std::string& name, FoundBoards& found) {
-    const auto amplitude = frame.amplitude();
-    if (amplitude.empty()) return std::nullopt;
-    const auto& form = frame.metadata();
-    const std::vector<std::uint16_t> amplitudes{amplitude.begin(), amplitude.end()};
-    const auto place =
-        gatherer.look({form.width, form.height, amplitudes, true}, name + " (infrared)");
-    if (!place) return std::nullopt;
-    const auto depth = frame.depth();
-    found.depthTimesS.push_back(stampOf(frame));
-    found.depthPictures.push_back(
-        {form.width, form.height, form.depthUnitM, {depth.begin(), depth.end()}, amplitudes});
-    return place;
-}
-
 void lookInInput(const BoardOptions& options, const calibrate::Board& board, FoundBoards& found) {
     SceneOptions scene;
     scene.input = options.input;
     devices::ReplayFeed feed(openScene(configuration(scene)), {}, false);
     Progress progress(options.views);
-    Gatherer depth(board, found, true), color(board, found, false);
+    BoardGatherer depth(board, found, true), color(board, found, false);
     for (std::uint64_t taken = 0, index = 0; taken < options.views && !feed.ended(); ++index) {
         const auto pair = feed.next(std::chrono::milliseconds(0));
         if (!pair || index % options.every != 0) continue;
         ++taken;
         progress.next();
         const std::string name = "frame " + std::to_string(index);
-        const std::optional<std::size_t> depthPlace = lookAtDepth(depth, pair->depth, name, found);
-        const GreyPixels grey = devices::greyOf(pair->color);
-        if (grey.values.empty()) continue;
-        const auto colorPlace = color.look(grey, name + " (colour)");
-        if (colorPlace) found.colorTimesS.push_back(stampOf(pair->color));
-        if (depthPlace && colorPlace) found.views.pairs.emplace_back(*depthPlace, *colorPlace);
+        const auto depthPlace = depth.lookAtDepth(pair->depth, name);
+        auto view = color.find(devices::greyOf(pair->color), name + " (colour)");
+        if (!view) continue;
+        const std::size_t colorPlace = color.take(std::move(*view), pair->color);
+        if (depthPlace) found.views.pairs.emplace_back(*depthPlace, colorPlace);
     }
 }
 
@@ -182,9 +120,13 @@ FoundBoards findBoards(const BoardOptions& options) {
     const bool hasFiles = !options.depth.empty() || !options.color.empty();
     if (hasFiles == options.input.has_value())
         throw UsageError("give pictures (--depth, --color) or an --input, one of them");
+    if (options.live && !options.input) throw UsageError("--live: an --input has to be watched");
     const calibrate::Board board = boardOf(options);
     FoundBoards found;
-    options.input ? lookInInput(options, board, found) : lookInFiles(options, board, found);
+    if (options.live)
+        watchBoards(options, board, found);
+    else
+        options.input ? lookInInput(options, board, found) : lookInFiles(options, board, found);
     return found;
 }
 

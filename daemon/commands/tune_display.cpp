@@ -1,14 +1,13 @@
 #include "daemon/commands/tune_display.hpp"
 
-#include "calib/message_picture.hpp"
 #include "calib/solve/display_tuner.hpp"
 #include "config/load.hpp"
 #include "daemon/commands/display_unit_file.hpp"
+#include "daemon/commands/panel_picture.hpp"
 #include "daemon/session/pattern_picture.hpp"
 #include "daemon/stop_signal.hpp"
 #include "daemon/wiring.hpp"
 #include "devices/replay/whole_file.hpp"
-#include "gpu/gl/objects.hpp"
 
 #include <array>
 #include <chrono>
@@ -101,22 +100,8 @@ class TuningDesk {
         said_ = now;
         drawPattern(kPatterns.at(pattern_), tuner_.display(), panel_.width(), panel_.height(),
                     panel_.framebuffer());
-        if (text_) write(now + " | " + kHelp);
+        if (text_) drawStrip(panel_, now + " | " + kHelp);
         panel_.present();
-    }
-
-    /// Along the panel's lower edge, for no view in particular: what is being set is what makes
-    /// views.
-    void write(const std::string& text) {
-        const int width = panel_.width(), height = panel_.height() / 4;
-        const calib::Picture strip = calib::messagePicture({}, text, width, height);
-        if (!strip_.isSized(width, height)) strip_ = gpu::gl::Texture(GL_RGBA8, width, height);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTextureSubImage2D(strip_.name(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE,
-                            strip.pixels.data());
-        // The picture's top row lies first in the texture, GL's rows go up.
-        glBlitNamedFramebuffer(gpu::gl::makeFramebuffer(strip_).name(), panel_.framebuffer(), 0, 0,
-                               width, height, 0, height, width, 0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
 
     static void say(const std::string& line) {
@@ -130,7 +115,6 @@ class TuningDesk {
     std::size_t pattern_ = 0;
     bool text_ = true, saved_ = false;
     std::string said_;
-    gpu::gl::Texture strip_;
 };
 
 } // namespace

