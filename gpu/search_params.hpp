@@ -21,6 +21,7 @@ struct SearchParams {
     double channelStep = 0; ///< from red to green to blue, panel widths
     /// A scene's reference viewpoints are searched, not cameras' layers; and how they are lit.
     std::optional<SceneShading> scene{};
+    bool squaresOnly = false; ///< draws the squares that SceneSquares lists; filled by phase only
 };
 
 /// The display's views one by one, or an eye for every phase where `positions` wants that and the

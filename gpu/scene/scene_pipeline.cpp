@@ -16,6 +16,13 @@ AtlasLayout layoutOf(const calib::DisplayProfile& display, const PipelineParams&
     return scaled(atlasLayout(display, width, height), params.synthesis.tileScale);
 }
 
+/// Sub-pixels see between tiles' texels: twice as many each way, but no more than the panel has.
+calib::QuiltLayout searchedTexels(calib::QuiltLayout tile, int panelWidth, int panelHeight) {
+    tile.tileWidth = std::min(2 * tile.tileWidth, std::max(tile.tileWidth, panelWidth));
+    tile.tileHeight = std::min(2 * tile.tileHeight, std::max(tile.tileHeight, panelHeight));
+    return tile;
+}
+
 SceneBlock blockOf(const SceneParams& look, const ScenePlacement& placement,
                    const calib::DisplayProfile& display, double panelAspect) {
     constexpr double kSlack = 1.01; // rounding keeps inside of the depth range
@@ -65,20 +72,32 @@ void ScenePipeline::makeMethod(int panelWidth, int panelHeight) {
     const calib::PanelMap map = calib::panelMap(display_, panelWidth, panelHeight);
     InterleaverParams shown{params_.synthesis.filter, params_.synthesis.views, display_.fringe, {}};
     if (method_ == Method::Hybrid || method_ == Method::Direct)
-        surfaces_.emplace(display_, placement_, look_.shading, layout, params_.synthesis.references,
-                          params_.clearColor);
+        surfaces_.emplace(display_, placement_, look_.shading,
+                          method_ == Method::Direct
+                              ? searchedTexels(layout.quilt, panelWidth, panelHeight)
+                              : layout.quilt,
+                          params_.synthesis.references, params_.clearColor);
     else
         views_.emplace(display_, look_, params_.synthesis, params_.clearColor);
     if (method_ == Method::Direct) {
-        positions_ = makeViewPositions(display_);
         shown.views = ViewFilter::Nearest;
-        shown.search = searchParams(display_, map, params_.synthesis.positions);
-        shown.search->scene = look_.shading;
+        shown.search = prepareSearch(map, panelWidth, panelHeight);
     } else {
         atlas_.emplace(layout);
     }
     if (method_ == Method::Hybrid) reprojection_.emplace(display_, look_.shading);
     interleaver_ = makeInterleaver(map, panelWidth, panelHeight, shown);
+}
+
+SearchParams ScenePipeline::prepareSearch(const calib::PanelMap& map, int width, int height) {
+    positions_ = makeViewPositions(display_);
+    SearchParams search = searchParams(display_, map, params_.synthesis.positions);
+    search.scene = look_.shading;
+    // Before black a sub-pixel without anything is black, whatever else it may be.
+    const auto* views = std::get_if<calib::ViewMap>(&map);
+    search.squaresOnly = views != nullptr && params_.clearColor == std::array<double, 3>{};
+    if (search.squaresOnly) squares_.emplace(width, height, search, views->upsideDown);
+    return search;
 }
 
 void ScenePipeline::prepare(double seconds) {
@@ -102,15 +121,18 @@ void ScenePipeline::drawDisparity() {
     glDisable(GL_DEPTH_TEST);
 }
 
-void ScenePipeline::bindSearch() {
+void ScenePipeline::bindSearch(GLuint panel) {
     surfaces_->bind();
     uniforms_.bind(7, block_);
     glBindTextureUnit(10, positions_.name());
     glBindTextureUnit(11, model_.parts().name());
+    if (!squares_) return;
+    LayerDrawer::clear(panel, params_.clearColor);
+    squares_->list();
 }
 
 void ScenePipeline::show(GLuint panel) {
-    if (method_ == Method::Direct) bindSearch();
+    if (method_ == Method::Direct) bindSearch(panel);
     interleaver_->render({atlas_ ? &*atlas_ : nullptr, disparity_ ? &disparity_->texture : nullptr},
                          panel);
 }

@@ -3,6 +3,7 @@
 #include "gpu/interleaver.hpp"
 #include "gpu/readback.hpp"
 #include "gpu/scene/scene_reprojection.hpp"
+#include "gpu/scene/scene_squares.hpp"
 #include "gpu/scene/scene_views.hpp"
 
 #include <memory>
@@ -43,7 +44,8 @@ class ScenePipeline {
   private:
     void makeMethod(int panelWidth, int panelHeight);
     void drawDisparity();
-    void bindSearch();
+    [[nodiscard]] SearchParams prepareSearch(const calib::PanelMap& map, int width, int height);
+    void bindSearch(GLuint panel);
 
     const devices::mesh::MeshScene& scene_;
     SceneParams look_;
@@ -57,6 +59,7 @@ class ScenePipeline {
     std::optional<SceneSurfaces> surfaces_;
     std::optional<SceneReprojection> reprojection_; ///< hybrid
     gl::Texture positions_;                         ///< direct
+    std::optional<SceneSquares> squares_;           ///< direct, before black
     std::optional<Atlas> atlas_;
     /// For displays that make their views themselves: R32F, panel widths.
     struct Disparity {

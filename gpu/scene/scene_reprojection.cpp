@@ -1,6 +1,5 @@
 #include "gpu/scene/scene_reprojection.hpp"
 
-#include "gpu/layer_drawer.hpp"
 #include "gpu/scene/scene_views.hpp"
 #include "gpu/views/view_synthesis.hpp"
 
@@ -16,7 +15,7 @@ void SceneReprojection::render(SceneSurfaces& surfaces, const SceneModel& model,
     const AtlasLayout& layout = atlas.layout();
     if (!roots_.isSized(layout.width(), layout.height())) {
         roots_ = gl::Texture(GL_R32UI, layout.width(), layout.height());
-        framebuffer_ = gl::makeFramebuffer(roots_);
+        framebuffer_ = gl::makeFramebuffer(roots_, &atlas.depth());
     }
     SceneBlock own = block;
     own.viewTiles = {layout.quilt.columns, layout.quilt.rows, 0, layout.views};
@@ -27,13 +26,20 @@ void SceneReprojection::render(SceneSurfaces& surfaces, const SceneModel& model,
     glBindVertexArray(vertexArray_.name());
     glViewport(0, 0, layout.width(), layout.height());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
+    const DepthTest depthTest;
     find_.use();
+    glDepthFunc(GL_ALWAYS);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     const glm::vec4& backdrop = surfaces.block().backdrop;
-    LayerDrawer::clear(atlas.framebuffer(), {backdrop.r, backdrop.g, backdrop.b});
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, atlas.framebuffer());
+    glClearNamedFramebufferfv(atlas.framebuffer(), GL_COLOR, 0, &backdrop.r);
     glBindTextureUnit(2, roots_.name());
+    // What shows nothing is not even begun.
     resolve_.use();
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_FALSE);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthMask(GL_TRUE);
 }
 
 } // namespace autostereo::gpu

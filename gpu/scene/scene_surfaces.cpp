@@ -84,16 +84,17 @@ std::vector<glm::dvec3> eyesOf(const calib::DisplayProfile& display, const Lineu
 } // namespace
 
 SceneSurfaces::SceneSurfaces(const calib::DisplayProfile& display, const ScenePlacement& placement,
-                             SceneShading shading, const AtlasLayout& layout, int references,
+                             SceneShading shading, const calib::QuiltLayout& tile, int references,
                              const std::array<double, 3>& clearColor)
-    : program_(makeProgram(shading)) {
+    : program_(makeProgram(shading)), findPeaks_({"scene_peaks.comp"}) {
     const Lineup places = lineup(display, references);
-    block_ = blockOf(display, placement, layout.quilt, places, clearColor);
+    block_ = blockOf(display, placement, tile, places, clearColor);
     const int width = block_.lattice.x, height = block_.lattice.z;
     eyes_ = makeEyes(eyesOf(display, places));
     disparities_ = gl::Texture(GL_R32F, width, height, places.count);
     surfaces_ = gl::Texture(GL_RGBA32UI, width, height, places.count);
     depth_ = gl::Texture(GL_DEPTH_COMPONENT32F, width, height);
+    peaks_ = gl::Texture(GL_R32F, (width + kPeakBlock - 1) / kPeakBlock, height, places.count);
     for (int i = 0; i < places.count; ++i)
         framebuffers_.push_back(makeTarget(disparities_, surfaces_, depth_, i));
 }
@@ -107,6 +108,7 @@ void SceneSurfaces::draw(const SceneModel& model, SceneBlock block) {
     glBindTextureUnit(2, eyes_.name());
     glViewport(0, 0, block_.lattice.x, block_.lattice.z);
     program_.use();
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); // as scene_eyes.glsl has it
     const DepthTest depthTest;
     for (std::size_t i = 0; i < framebuffers_.size(); ++i) {
         const GLuint target = framebuffers_[i].name();
@@ -118,12 +120,26 @@ void SceneSurfaces::draw(const SceneModel& model, SceneBlock block) {
         scene_.bind(7, block);
         model.draw(1);
     }
+    findPeaks();
+}
+
+void SceneSurfaces::findPeaks() {
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    bind();
+    glBindImageTexture(0, peaks_.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
+    findPeaks_.use();
+    constexpr int kGroup = 8; // as the shader's
+    glDispatchCompute(static_cast<GLuint>((peaks_.width() + kGroup - 1) / kGroup),
+                      static_cast<GLuint>((peaks_.height() + kGroup - 1) / kGroup),
+                      static_cast<GLuint>(block_.lattice.w));
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void SceneSurfaces::bind() {
     uniforms_.bind(3, block_);
     glBindTextureUnit(0, disparities_.name());
     glBindTextureUnit(7, surfaces_.name());
+    glBindTextureUnit(12, peaks_.name());
 }
 
 } // namespace autostereo::gpu

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "calib/display_profile.hpp"
-#include "gpu/atlas.hpp"
 #include "gpu/gl/program.hpp"
 #include "gpu/gl/uniform_buffer.hpp"
 #include "gpu/scene/scene_block.hpp"
@@ -30,9 +29,10 @@ static_assert(sizeof(SurfacesBlock) == 64);
 /// views lie within. Not for light at vertices, which cannot be put off. Thread-bound.
 class SceneSurfaces {
   public:
-    /// `references`: 2 to 5, at most as many as the display has views. Throws GlError.
+    /// `references`: 2 to 5, at most as many as the display has views; each as large as `tile`, and
+    /// the margins. Throws GlError.
     SceneSurfaces(const calib::DisplayProfile& display, const ScenePlacement& placement,
-                  SceneShading shading, const AtlasLayout& layout, int references,
+                  SceneShading shading, const calib::QuiltLayout& tile, int references,
                   const std::array<double, 3>& clearColor);
 
     void draw(const SceneModel& model, SceneBlock block);
@@ -46,11 +46,16 @@ class SceneSurfaces {
     [[nodiscard]] const gl::Texture& surfaces() const { return surfaces_; }
 
   private:
-    gl::Program program_;
+    /// Texels of a row whose nearest disparity is known; as in shaders/scene_surfaces.glsl.
+    static constexpr int kPeakBlock = 16;
+
+    void findPeaks();
+
+    gl::Program program_, findPeaks_;
     SurfacesBlock block_;
     gl::UniformBuffer<SurfacesBlock> uniforms_;
     gl::UniformBuffer<SceneBlock> scene_;
-    gl::Texture eyes_, disparities_, surfaces_, depth_;
+    gl::Texture eyes_, disparities_, surfaces_, peaks_, depth_;
     std::vector<gl::Framebuffer> framebuffers_; ///< one a reference
 };
 

@@ -13,10 +13,11 @@ layout(location = 0) out uint root;
 
 void main() {
     TilePixel pixel = tilePixel();
-    if (pixel.view < 0) discard;
-    float b = texelFetch(viewPositions, ivec2(pixel.view, 0), 0).x;
+    float b = texelFetch(viewPositions, ivec2(max(pixel.view, 0), 0), 0).x;
     Found found = searchReferences(float(pixel.inside.x) + 0.5, b, pixel.inside.y);
     int column = int(floor(found.x));
     bool isNothing = disparityAt(found.reference, column, pixel.inside.y) <= span.y;
-    root = found.isGap ? kHole : isNothing ? kNothing : rootOf(found.reference, found.x);
+    isNothing = pixel.view < 0 || (isNothing && !found.isGap);
+    root = isNothing ? kNothing : found.isGap ? kHole : rootOf(found.reference, found.x);
+    gl_FragDepth = isNothing ? 0.0 : 1.0; // scene_resolve.frag, at 0.5, leaves nothing alone
 }

@@ -45,8 +45,7 @@ Surface filled(TilePixel pixel) {
 
 void main() {
     TilePixel pixel = tilePixel();
-    if (pixel.view < 0) discard;
-    uint root = texelFetch(roots, pixel.origin + pixel.inside, 0).x;
+    uint root = texelFetch(roots, ivec2(gl_FragCoord.xy), 0).x;
     Surface surface = nothing();
     if (root == kHole)
         surface = filled(pixel);

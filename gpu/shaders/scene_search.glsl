@@ -16,10 +16,14 @@ Found searchReference(int reference, int row, float x, float reach) {
     bool leftwards = reach >= 0.0;
     int step = leftwards ? -1 : 1;
     float way = -float(step), spread = abs(reach);
-    float start = x + reach * span.x - 0.5;
+    // Peaks hold for views between two references.
+    int block = clamp(int(x), 0, lattice.x - 1) / kPeakBlock;
+    bool isBeside = spread * max(span.x, -span.y) <= float(lattice.y);
+    float top = isBeside ? texelFetch(peaks, ivec3(block, row, reference), 0).x : span.x;
+    float start = x + reach * top - 0.5;
     // A texel more than needed: rounding must not begin the walk behind the nearest surface.
     int at = leftwards ? int(ceil(start)) + 1 : int(floor(start)) - 1;
-    int steps = int(ceil(spread * (span.x - span.y))) + 4;
+    int steps = int(ceil(spread * (top - span.y))) + 4;
     float near = disparityAt(reference, at, row), next = near;
     float above = way * (float(at) + 0.5 - x) - spread * near, below = above;
     bool edge = false;

@@ -8,6 +8,8 @@ layout(std140, binding = 3) uniform SurfacesBlock {
     vec4 backdrop;  // what is behind everything, as a screen wants it
 };
 layout(binding = 0) uniform sampler2DArray disparities; // panel widths at |b| = 1
+layout(binding = 12) uniform sampler2DArray peaks; // of scene_peaks.comp
+const int kPeakBlock = 16; // texels; as in gpu::SceneSurfaces
 // Part + 1, or 0: nothing; normal, octahedral; diffuse red and green; blue.
 layout(binding = 7) uniform usampler2DArray surfaces;
 

@@ -60,14 +60,16 @@ calib::DisplayProfile displayOf(int views) {
 /// A method and its panel.
 struct Contender {
     Contender(const devices::mesh::MeshScene& scene, const calib::DisplayProfile& display,
-              gpu::Method method, int references)
+              gpu::Method method, int references, double scale)
         : name(gpu::methodName(method)), target(GL_RGBA8, display.width, display.height),
           panel(gpu::gl::makeFramebuffer(target)) {
         gpu::PipelineParams params;
         params.synthesis.method = method;
-        params.synthesis.references = references;
+        params.synthesis.references = std::max(2, references);
+        params.synthesis.tileScale = scale;
         params.synthesis.positions = gpu::ViewPositions::OfViews; // which all methods can show
         if (references > 0) name += ", " + std::to_string(references);
+        if (scale < 1) name += ", texels as multipass";
         const auto before = gpu::gl::usage().bytes;
         pipeline = std::make_unique<gpu::ScenePipeline>(scene, gpu::SceneParams{}, params, display,
                                                         display.width, display.height);
@@ -118,15 +120,16 @@ gpu::RgbImage exactPanel(gpu::ScenePipeline& pipeline, const calib::DisplayProfi
 void measure(const devices::mesh::MeshScene& scene, int views) {
     const calib::DisplayProfile display = displayOf(views);
     std::vector<std::unique_ptr<Contender>> contenders;
-    const auto add = [&](gpu::Method method, int references) {
-        contenders.push_back(std::make_unique<Contender>(scene, display, method, references));
+    const auto add = [&](gpu::Method method, int references, double scale) {
+        contenders.push_back(
+            std::make_unique<Contender>(scene, display, method, references, scale));
     };
-    add(gpu::Method::Multipass, 0);
-    add(gpu::Method::Instanced, 0);
-    for (const int references : {2, 3, 4, 5})
-        add(gpu::Method::Hybrid, references);
-    for (const int references : {2, 3, 4, 5})
-        add(gpu::Method::Direct, references);
+    add(gpu::Method::Multipass, 0, 1);
+    add(gpu::Method::Instanced, 0, 1);
+    add(gpu::Method::Hybrid, 3, 1);
+    add(gpu::Method::Hybrid, 4, 1);
+    add(gpu::Method::Direct, 4, 0.5); // which searches twice as many texels each way
+    add(gpu::Method::Direct, 4, 1);
     for (int round = 0; round < kRounds; ++round)
         for (const auto& contender : contenders)
             contender->draw(true);

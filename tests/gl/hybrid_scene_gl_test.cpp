@@ -209,13 +209,13 @@ TEST_F(HybridSceneGlTest, HolesAreFilledByEquation5AndAllIsLitForItsEye) {
     EXPECT_LE(worst, 0.51);
 }
 
-/// The same views but for what few references cannot tell: what edges cut within a texel, and what
-/// none of them sees. Bounds: what was measured, a tenth worse.
+/// The same views but for what few references cannot tell: what edges cut within a texel. Of two
+/// balls even two references see nearly all, so that more of them gain nothing. Measured: 39.8
+/// to 40.1 dB, 0.15 % more than 16 levels off; bounds a dB and a third beyond.
 TEST_F(HybridSceneGlTest, ViewsAreMultipassViewsButForEdges) {
     if (IsSkipped()) return;
     params.synthesis.tileScale = 2; // edges are lines, surfaces areas
     const gpu::RgbImage exact = atlasBy(gpu::Method::Multipass, SceneShading::PerPixel);
-    double last = 0;
     for (const int references : {2, 3, 5}) {
         params.synthesis.references = references;
         const gpu::RgbImage seen = atlasBy(gpu::Method::Hybrid, SceneShading::PerPixel);
@@ -231,10 +231,8 @@ TEST_F(HybridSceneGlTest, ViewsAreMultipassViewsButForEdges) {
         const double badShare = static_cast<double>(bad) / count;
         std::printf("%d references: %.2f dB, %.2f %% more than 16 levels off\n", references, psnr,
                     100 * badShare);
-        EXPECT_GT(psnr, last - 0.5) << "more references are no worse";
-        EXPECT_GT(psnr, 30);
-        EXPECT_LT(badShare, 0.01);
-        last = psnr;
+        EXPECT_GT(psnr, 38.8);
+        EXPECT_LT(badShare, 0.002);
     }
 }
 
@@ -295,6 +293,54 @@ TEST_F(HybridSceneGlTest, DirectSubPixelsShowWhatTheirOwnEyesSee) {
         EXPECT_GT(lit, compared / 6);
         EXPECT_LE(different, compared / 2000);
         EXPECT_GT(across, poles ? 500 : 0);
+    }
+}
+
+/// Squares without anything are left out before black; before what is all but black none is.
+TEST_F(HybridSceneGlTest, DirectLeavesOutOnlyWhatShowsNothing) {
+    if (IsSkipped()) return;
+    const gpu::RgbImage some = panelBy(gpu::Method::Direct);
+    params.clearColor = {1e-9, 1e-9, 1e-9};
+    EXPECT_TRUE(some.pixels == panelBy(gpu::Method::Direct).pixels);
+    params.clearColor = {0, 0, 1};
+    EXPECT_EQ(panelBy(gpu::Method::Direct).pixels[2], 255);
+}
+
+/// Rays decide: what a view shows where none of the references sees, and how much that is. Edges
+/// lie up to half a texel of a reference off, and the tile's pixels beside them show the other
+/// side.
+TEST_F(HybridSceneGlTest, WhatNoReferenceSeesIsLittle) {
+    if (IsSkipped()) return;
+    showPoles();
+    int lastHoles = 2000;
+    for (const auto& [references, most] : {std::pair{2, 0.05}, {3, 0.024}, {5, 0.0096}}) {
+        params.synthesis.references = references;
+        const gpu::RgbImage atlas = atlasBy(gpu::Method::Hybrid, SceneShading::PerPixel);
+        const std::vector<std::uint32_t> roots = readRoots(*pipeline);
+        const std::vector<oracle::SceneTriangle> all = triangles();
+        int surface = 0, holes = 0, wrong = 0, compared = 0;
+        for (int view = 0; view < display.views; ++view)
+            for (int y = 2; y < 128; y += 4)
+                for (int x = 0; x < 96; ++x) {
+                    const glm::dvec3 eye(positionOf(view) * display.viewingDistanceM *
+                                             std::tan(display.coneRad / 2),
+                                         0, display.viewingDistanceM);
+                    const auto hit = oracle::firstHit(
+                        all, eye, ((x + 0.5) / 96 - 0.5) * display.widthM,
+                        ((y + 0.5) / 128 - 0.5) * display.heightM(), form().flattening);
+                    const glm::dvec3 wanted =
+                        hit ? oracle::colorOf(*hit, scene, look, eye) : glm::dvec3(0);
+                    ++compared;
+                    surface += hit ? 1 : 0;
+                    holes += readRoot(roots[atlasIndex(view, x, y)]).kind == Kind::Hole ? 1 : 0;
+                    wrong += levelsOff(tileColor(atlas, view, x, y), wanted) > 16 ? 1 : 0;
+                }
+        std::printf("%d references: %d of surface, %d holes, %d more than 16 levels off\n",
+                    references, surface, holes, wrong);
+        EXPECT_GT(surface, 3000);
+        EXPECT_LT(wrong, most * compared);
+        EXPECT_LT(holes, lastHoles / 2);
+        lastHoles = holes;
     }
 }
 

@@ -101,7 +101,12 @@ std::vector<Variant> scenes() {
         for (const char* panel : {"tile_interleaver.frag", "band_interleaver.frag"})
             variants.push_back({{"full_screen.vert", panel}, {"SEARCH", "SURFACES", shading}});
     }
+    variants.push_back({{"stale_tiles.vert", "view_interleaver.frag"},
+                        {"SEARCH", "SURFACES", "PER_PIXEL", "UPSIDE_DOWN"}});
     variants.push_back({{"full_screen.vert", "scene_reproject.frag"}, {}});
+    variants.push_back({{"scene_peaks.comp"}, {}});
+    variants.push_back({{"scene_squares.comp"}, {}});
+    variants.push_back({{"scene_squares.comp"}, {"UPSIDE_DOWN"}});
     return variants;
 }
 
