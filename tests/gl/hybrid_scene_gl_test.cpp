@@ -1,11 +1,7 @@
 // Scenes of triangles by way of a few reference viewpoints: step by step against the
 // super-multi-view paper's equations in double precision, and what comes of it against rays.
 
-#include "calib/disparity_law.hpp"
-#include "calib/view_map.hpp"
-#include "tests/oracle/hybrid_oracle.hpp"
-#include "tests/support/gl_references.hpp"
-#include "tests/support/scene_fixture.hpp"
+#include "tests/support/hybrid_scene_fixture.hpp"
 
 #include <cmath>
 
@@ -13,94 +9,6 @@ namespace autostereo::test {
 namespace {
 
 using gpu::SceneShading;
-using Kind = ReadRoot::Kind;
-
-/// Narrow poles before a wide card, of which two viewpoints do not see all.
-devices::mesh::MeshScene polesBeforeCard() {
-    devices::mesh::MeshScene scene = twoBalls();
-    scene.nodes.clear();
-    scene.indices.clear();
-    scene.vertices.clear();
-    const auto addCard = [&](double x, double width, double height, double z, int material) {
-        const std::size_t first = scene.indices.size();
-        const auto base = static_cast<std::uint32_t>(scene.vertices.size());
-        for (const auto& [across, up] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-            scene.vertices.push_back({glm::vec3(x + across * width, up * height, z),
-                                      glm::vec3(0, 0, 1),
-                                      glm::vec2(0.5 + 0.4 * across, 0.5 - 0.4 * up)});
-        for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U})
-            scene.indices.push_back(base + corner);
-        addNode(scene, first, material, {0, 0, 0});
-    };
-    addCard(0, 1, 1, -1, 0);
-    for (const double x : {-0.6, -0.2, 0.3, 0.7})
-        addCard(x, 0.04, 0.9, 1, 1);
-    return scene;
-}
-
-double levelsOff(const glm::dvec3& a, const glm::dvec3& b) {
-    const glm::dvec3 off = glm::abs(a - b);
-    return std::max({off.r, off.g, off.b});
-}
-
-class HybridSceneGlTest : public SceneGlTest {
-  protected:
-    void SetUp() override {
-        SceneGlTest::SetUp();
-        display.views = 8; // none halfway between two references
-        display.quilt = {4, 2, 96, 128};
-        display.optics.kind = calib::Optics::Kind::Lens; // over stripes: thirds of a pixel
-    }
-    void showPoles() {
-        scene = polesBeforeCard();
-        params.synthesis.references = 2;
-        look.share = 0.7;
-    }
-    [[nodiscard]] oracle::PanelForm form() const {
-        return {display.widthM, display.heightM(), display.viewingDistanceM,
-                calib::fanHalfWidth(display), pipeline->placement().flattening};
-    }
-    [[nodiscard]] double positionOf(int view) const { return calib::viewPosition(display, view); }
-    /// Of a tile's pixel, y from the bottom.
-    [[nodiscard]] std::size_t atlasIndex(int view, int x, int y) const {
-        const gpu::AtlasLayout& layout = pipeline->atlas().layout();
-        return static_cast<std::size_t>((layout.bottom(view) + y) * layout.width() +
-                                        layout.left(view) + x);
-    }
-    [[nodiscard]] glm::dvec3 tileColor(const gpu::RgbImage& atlas, int view, int x, int y) const {
-        const std::size_t across = atlasIndex(view, x, y) % static_cast<std::size_t>(atlas.width);
-        const std::size_t up = atlasIndex(view, x, y) / static_cast<std::size_t>(atlas.width);
-        const std::size_t row = static_cast<std::size_t>(atlas.height) - 1 - up;
-        const std::size_t at = 3 * (row * static_cast<std::size_t>(atlas.width) + across);
-        return {atlas.pixels[at], atlas.pixels[at + 1], atlas.pixels[at + 2]};
-    }
-    static Kind kindOf(const oracle::References& in, const oracle::HybridRoot& root, int y) {
-        if (root.hit.isWall) return Kind::Hole;
-        const bool isThere = oracle::surfaceAt(in, root.reference, y, root.hit.x).cover > 0;
-        return isThere ? Kind::Seen : Kind::Nothing;
-    }
-    /// What a pixel is lit from, given what was found; none: a hole with nothing on either side.
-    [[nodiscard]] std::optional<oracle::HybridSurface>
-    surfaceSeen(const oracle::References& in, const std::vector<std::uint32_t>& roots, int view,
-                int x, int y) const {
-        const auto seen = [&](int at) -> std::optional<oracle::HybridSurface> {
-            if (at < 0 || at >= in.tileWidth()) return std::nullopt;
-            const ReadRoot root = readRoot(roots[atlasIndex(view, at, y)]);
-            if (root.kind == Kind::Hole) return std::nullopt;
-            if (root.kind == Kind::Nothing) return oracle::HybridSurface{};
-            return oracle::surfaceAt(in, root.reference, y, root.x);
-        };
-        if (const auto own = seen(x)) return own;
-        int left = x, right = x;
-        while (left >= 0 && !seen(left))
-            --left;
-        while (right < in.tileWidth() && !seen(right))
-            ++right;
-        const auto l = seen(left), r = seen(right);
-        if (!l || !r) return l ? l : r;
-        return oracle::filled(*l, *r, x - left, right - x);
-    }
-};
 
 /// What is found, pixel by pixel. Rounding to 2^-13 texels is half of that, float's share of
 /// coordinates up to 128 (2^-17) times a slope's leverage much less. Where a millionth decides
@@ -249,61 +157,6 @@ TEST_F(HybridSceneGlTest, HighlightsMoveWithTheEye) {
     std::printf("worst %.3f texels\n", worst / display.widthM * 192);
     EXPECT_LE(worst, 0.5 * display.widthM / 192);
     EXPECT_GT(mirroredAt(1) - mirroredAt(-1), 3 * display.widthM / 192) << "it does move";
-}
-
-/// Every sub-pixel from its own phase, in double precision: half a level of rounding, and float's
-/// share of a place times the steepest change of colour. Where a millionth of a texel decides which
-/// piece of surface is met, either may be.
-TEST_F(HybridSceneGlTest, DirectSubPixelsShowWhatTheirOwnEyesSee) {
-    if (IsSkipped()) return;
-    for (const bool poles : {false, true}) {
-        if (poles) showPoles();
-        const gpu::RgbImage panel = panelBy(gpu::Method::Direct);
-        const oracle::References in = readReferences(*pipeline);
-        const auto map =
-            std::get<calib::ViewMap>(calib::panelMap(display, display.width, display.height));
-        int compared = 0, lit = 0, across = 0, different = 0;
-        double worst = 0;
-        for (int y = 3; y < display.height; y += 17)
-            for (int x = 0; x < display.width; ++x)
-                for (int channel = 0; channel < 3; ++channel) {
-                    const double phase = map.phase(x, y, channel) / 4294967296.0;
-                    const double b = map.reversed ? 1 - 2 * phase : 2 * phase - 1;
-                    const double u = (x + 0.5 + (channel - 1) / 3.0) / display.width;
-                    const double v = (display.height - 0.5 - y) / display.height;
-                    const int row = static_cast<int>(v * in.height);
-                    const double texel = u * in.tileWidth();
-                    const oracle::HybridRoot root = oracle::rootOf(in, row, texel, b);
-                    const oracle::HybridSurface surface =
-                        root.hit.isWall ? oracle::acrossWall(in, root, row, texel, b)
-                                        : oracle::surfaceAt(in, root.reference, row, root.hit.x);
-                    const double wanted = oracle::colorOf(surface, look, form(), u, v, b)[channel];
-                    const auto at = static_cast<std::size_t>(3 * (y * display.width + x) + channel);
-                    const double off = std::abs(panel.pixels[at] - wanted);
-                    ++compared;
-                    lit += surface.cover > 0 ? 1 : 0;
-                    across += root.hit.isWall ? 1 : 0;
-                    if (off > 0.6)
-                        ++different;
-                    else
-                        worst = std::max(worst, off);
-                }
-        std::printf("%d sub-pixels, %d lit, %d across gaps, %d decided otherwise, worst %.3f\n",
-                    compared, lit, across, different, worst);
-        EXPECT_GT(lit, compared / 6);
-        EXPECT_LE(different, compared / 2000);
-        EXPECT_GT(across, poles ? 500 : 0);
-    }
-}
-
-/// Squares without anything are left out before black; before what is all but black none is.
-TEST_F(HybridSceneGlTest, DirectLeavesOutOnlyWhatShowsNothing) {
-    if (IsSkipped()) return;
-    const gpu::RgbImage some = panelBy(gpu::Method::Direct);
-    params.clearColor = {1e-9, 1e-9, 1e-9};
-    EXPECT_TRUE(some.pixels == panelBy(gpu::Method::Direct).pixels);
-    params.clearColor = {0, 0, 1};
-    EXPECT_EQ(panelBy(gpu::Method::Direct).pixels[2], 255);
 }
 
 /// Rays decide: what a view shows where none of the references sees, and how much that is. Edges
