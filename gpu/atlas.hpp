@@ -31,6 +31,7 @@ class Atlas {
     explicit Atlas(const AtlasLayout& layout);
     [[nodiscard]] const AtlasLayout& layout() const { return layout_; }
     [[nodiscard]] const gl::Texture& color() const { return color_; }
+    [[nodiscard]] const gl::Texture& depth() const { return depth_; }
     [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
 
   private:

@@ -3,6 +3,7 @@
 #include "gpu/gl/error.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 namespace autostereo::gpu {
@@ -15,7 +16,7 @@ std::vector<std::string> variant(const calib::BandMap& map, const InterleaverPar
     if (map.waveform) defines.emplace_back("WAVEFORM");
     if (params.fringe > 0) defines.emplace_back("FRINGE");
     if (params.filter == TileFilter::Nearest) defines.emplace_back("NEAREST");
-    if (params.search) defines.emplace_back("SEARCH");
+    std::ranges::move(definesOf(params.search), std::back_inserter(defines));
     return defines;
 }
 

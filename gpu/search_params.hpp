@@ -1,8 +1,17 @@
 #pragma once
 
+#include "calib/panel_map.hpp"
+#include "gpu/params.hpp"
+#include "gpu/scene/params.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace autostereo::gpu {
 
-/// Which eyes a panel shows that is filled without tiles (shaders/searched_samples.glsl).
+/// What a panel shows that is filled without tiles, and to which eyes
+/// (shaders/searched_samples.glsl, scene_samples.glsl).
 struct SearchParams {
     bool rootsOnly = false; ///< draws what was found, in stale squares, for KeptRoots
     int views = 1;
@@ -10,6 +19,17 @@ struct SearchParams {
     double firstPosition = 0; ///< b at phase 0 (continuous)
     double positionPerCycle = 0;
     double channelStep = 0; ///< from red to green to blue, panel widths
+    /// A scene's reference viewpoints are searched, not cameras' layers; and how they are lit.
+    std::optional<SceneShading> scene{};
+    bool squaresOnly = false; ///< draws the squares that SceneSquares lists; filled by phase only
 };
+
+/// The display's views one by one, or an eye for every phase where `positions` wants that and the
+/// map allows it.
+[[nodiscard]] SearchParams searchParams(const calib::DisplayProfile& display,
+                                        const calib::PanelMap& map, ViewPositions positions);
+
+/// Of the interleavers' shaders.
+[[nodiscard]] std::vector<std::string> definesOf(const std::optional<SearchParams>& search);
 
 } // namespace autostereo::gpu

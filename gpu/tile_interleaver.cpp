@@ -1,5 +1,8 @@
 #include "gpu/tile_interleaver.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace autostereo::gpu {
 
 namespace {
@@ -7,7 +10,7 @@ namespace {
 std::vector<std::string> variant(const InterleaverParams& params) {
     std::vector<std::string> defines;
     if (params.filter == TileFilter::Nearest) defines.emplace_back("NEAREST");
-    if (params.search) defines.emplace_back("SEARCH");
+    std::ranges::move(definesOf(params.search), std::back_inserter(defines));
     return defines;
 }
 

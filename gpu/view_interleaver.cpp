@@ -1,6 +1,7 @@
 #include "gpu/view_interleaver.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace autostereo::gpu {
 
@@ -20,9 +21,7 @@ std::vector<std::string> variant(const calib::ViewMap& map, const InterleaverPar
     if (params.fringe > 0) defines.emplace_back("FRINGE");
     if (params.filter == TileFilter::Nearest) defines.emplace_back("NEAREST");
     if (params.views == ViewFilter::Blend) defines.emplace_back("BLEND");
-    if (params.search) defines.emplace_back("SEARCH");
-    if (params.search && params.search->rootsOnly) defines.emplace_back("ROOTS");
-    if (params.search && params.search->continuous) defines.emplace_back("CONTINUOUS");
+    std::ranges::move(definesOf(params.search), std::back_inserter(defines));
     return defines;
 }
 
@@ -30,7 +29,9 @@ std::vector<std::string> variant(const calib::ViewMap& map, const InterleaverPar
 
 ViewInterleaver::ViewInterleaver(const calib::ViewMap& map, const InterleaverParams& params)
     : pass_("view_interleaver.frag", variant(map, params), map.tables.width, map.tables.height,
-            params.search && params.search->rootsOnly ? Cover::StaleTiles : Cover::Panel),
+            params.search && (params.search->rootsOnly || params.search->squaresOnly)
+                ? Cover::StaleTiles
+                : Cover::Panel),
       grid_(map.tables.grid) {
     const calib::PhaseTables& tables = map.tables;
     pass_.block().fan.x = map.views;

@@ -11,28 +11,30 @@ namespace autostereo::daemon {
 
 namespace {
 
-void checkScene(const RenderOptions& options, Picture as) {
+void checkScene(const RenderOptions& options, Picture as, const gpu::SceneParams& look) {
     if (as == Picture::Depth || as == Picture::Disparity || options.cameraOffset)
         throw UsageError("render: a scene has no cameras: --as depth, --as disparity and "
                          "--camera-offset need some");
     if (options.reference)
         throw UsageError("render: --reference searches cameras' pictures; a scene has none");
-    if (options.method == gpu::Method::Direct || options.method == gpu::Method::Hybrid)
+    const bool isDeferred =
+        options.method == gpu::Method::Direct || options.method == gpu::Method::Hybrid;
+    if (isDeferred && look.shading == gpu::SceneShading::PerVertex)
         throw UsageError("render: --method " + std::string(gpu::methodName(*options.method)) +
-                         " needs cameras' depth: for scenes name another one (allowed: "
-                         "instanced, multipass, geometry, mrt)");
+                         " lights what views show, but scene.shading is per-vertex: name another "
+                         "one (allowed: instanced, multipass, geometry, mrt)");
 }
 
 } // namespace
 
 int renderScene(const RenderOptions& options, Picture as, const config::Config& config,
                 const calib::DisplayProfile& display) {
-    checkScene(options, as);
+    const gpu::SceneParams look = sceneParams(config);
+    checkScene(options, as, look);
     const devices::mesh::MeshScene scene = openMeshScene(config);
     const PanelSize size = offscreenSize(display);
     gpu::OffscreenPanel panel(size.width, size.height, false);
-    gpu::ScenePipeline pipeline(scene, sceneParams(config), config.pipeline, display, size.width,
-                                size.height);
+    gpu::ScenePipeline pipeline(scene, look, config.pipeline, display, size.width, size.height);
     pipeline.prepare(static_cast<double>(options.frame) / kSceneRate);
     switch (as) {
     case Picture::Quilt:

@@ -10,7 +10,7 @@ namespace autostereo::gpu {
 
 /// shaders/scene_block.glsl, binding 7.
 struct SceneBlock {
-    glm::ivec4 tiles{0};
+    glm::ivec4 viewTiles{0};
     glm::vec4 form{0};
     glm::vec4 range{0};
     glm::vec4 ambient{0};

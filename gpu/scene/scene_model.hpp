@@ -35,6 +35,9 @@ class SceneModel {
     /// Every part, `instances` times each.
     void draw(int instances) const;
 
+    /// For shaders/scene_parts.glsl.
+    [[nodiscard]] const gl::Texture& parts() const { return partTexels_; }
+
   private:
     struct Draw {
         GLsizei indexCount;

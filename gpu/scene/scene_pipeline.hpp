@@ -2,6 +2,8 @@
 
 #include "gpu/interleaver.hpp"
 #include "gpu/readback.hpp"
+#include "gpu/scene/scene_reprojection.hpp"
+#include "gpu/scene/scene_squares.hpp"
 #include "gpu/scene/scene_views.hpp"
 
 #include <memory>
@@ -10,7 +12,8 @@
 namespace autostereo::gpu {
 
 /// A scene of triangles -> the panel: placed in front of the viewer and turned, drawn into the
-/// views' tiles, interleaved as camera pictures are. Owns its passes; the caller owns the context
+/// views' tiles, interleaved as camera pictures are; or (direct) every sub-pixel finds and lights
+/// what its eye sees in a few reference viewpoints. Owns its passes; the caller owns the context
 /// and keeps the scene. Thread-bound.
 class ScenePipeline {
   public:
@@ -26,13 +29,23 @@ class ScenePipeline {
     /// What an eye in display space sees of what was prepared, on the panel's own pixels.
     [[nodiscard]] RgbImage renderEye(const glm::dvec3& eye, int width, int height);
 
-    [[nodiscard]] const Atlas& atlas() const { return atlas_; }
-    /// The method in use.
-    [[nodiscard]] Method method() const { return views_.method(); }
+    /// The views, which every method but direct has.
+    [[nodiscard]] const Atlas& atlas() const { return atlas_.value(); }
+    /// The method in use: sceneMethod of the one that was asked for.
+    [[nodiscard]] Method method() const { return method_; }
+    /// What hybrid and direct work from; none with other methods.
+    [[nodiscard]] const std::optional<SceneSurfaces>& surfaces() const { return surfaces_; }
+    [[nodiscard]] const std::optional<SceneReprojection>& reprojection() const {
+        return reprojection_;
+    }
+    [[nodiscard]] const SceneModel& model() const { return model_; }
     [[nodiscard]] const ScenePlacement& placement() const { return placement_; }
 
   private:
+    void makeMethod(int panelWidth, int panelHeight);
     void drawDisparity();
+    [[nodiscard]] SearchParams prepareSearch(const calib::PanelMap& map, int width, int height);
+    void bindSearch(GLuint panel);
 
     const devices::mesh::MeshScene& scene_;
     SceneParams look_;
@@ -41,8 +54,13 @@ class ScenePipeline {
     ScenePlacement placement_;
     SceneBlock block_;
     SceneModel model_;
-    SceneViews views_;
-    Atlas atlas_;
+    Method method_;
+    std::optional<SceneViews> views_;
+    std::optional<SceneSurfaces> surfaces_;
+    std::optional<SceneReprojection> reprojection_; ///< hybrid
+    gl::Texture positions_;                         ///< direct
+    std::optional<SceneSquares> squares_;           ///< direct, before black
+    std::optional<Atlas> atlas_;
     /// For displays that make their views themselves: R32F, panel widths.
     struct Disparity {
         Disparity(int width, int height);
@@ -54,5 +72,11 @@ class ScenePipeline {
     gl::UniformBuffer<SceneBlock> uniforms_;
     std::unique_ptr<Interleaver> interleaver_;
 };
+
+/// How a scene is drawn for which `wanted` is asked: so, but as instanced for auto, for light at
+/// vertices, which hybrid and direct cannot put off, and for direct on displays that make their
+/// views themselves.
+[[nodiscard]] Method sceneMethod(Method wanted, SceneShading shading,
+                                 const calib::DisplayProfile& display);
 
 } // namespace autostereo::gpu

@@ -14,17 +14,6 @@ namespace {
 
 constexpr int kComponents = 4 + 4 + 2 + 2 + 3 + 3; // position, clip distances, what corners hand on
 
-class DepthTest {
-  public:
-    DepthTest() {
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
-    }
-    ~DepthTest() { glDisable(GL_DEPTH_TEST); }
-    DepthTest(const DepthTest&) = delete;
-    DepthTest& operator=(const DepthTest&) = delete;
-};
-
 Method drawnBy(Method wanted) {
     switch (wanted) {
     case Method::Multipass:
@@ -74,11 +63,15 @@ gl::Texture makeEyes(const std::vector<glm::dvec3>& eyes) {
     return texture;
 }
 
+glm::dvec3 fanEye(const calib::DisplayProfile& display, double b) {
+    return {b * display.viewingDistanceM * std::tan(display.coneRad / 2), 0,
+            display.viewingDistanceM};
+}
+
 std::vector<glm::dvec3> viewEyes(const calib::DisplayProfile& display) {
-    const double reach = display.viewingDistanceM * std::tan(display.coneRad / 2);
     std::vector<glm::dvec3> eyes;
     for (int view = 0; view < display.views; ++view)
-        eyes.emplace_back(calib::viewPosition(display, view) * reach, 0, display.viewingDistanceM);
+        eyes.push_back(fanEye(display, calib::viewPosition(display, view)));
     return eyes;
 }
 
@@ -92,7 +85,7 @@ SceneViews::SceneViews(const calib::DisplayProfile& display, const SceneParams& 
 void SceneViews::render(const SceneModel& model, const SceneBlock& block, const Atlas& atlas) {
     const AtlasLayout& layout = atlas.layout();
     SceneBlock own = block;
-    own.tiles = {layout.quilt.columns, layout.quilt.rows, 0, layout.views};
+    own.viewTiles = {layout.quilt.columns, layout.quilt.rows, 0, layout.views};
     glBindTextureUnit(2, eyes_.name());
     if (method_ == Method::Layered) return layered(model, own, atlas);
     LayerDrawer::clear(atlas.framebuffer(), clearColor_);
@@ -110,15 +103,15 @@ void SceneViews::eachView(const SceneModel& model, SceneBlock block, const Atlas
     for (int view = 0; view < layout.views; ++view) {
         glViewport(layout.left(view), layout.bottom(view), layout.quilt.tileWidth,
                    layout.quilt.tileHeight);
-        block.tiles.z = view;
+        block.viewTiles.z = view;
         uniforms_.bind(7, block);
         model.draw(1);
     }
 }
 
 void SceneViews::repeated(const SceneModel& model, SceneBlock block) {
-    for (int first = 0; first < block.tiles.w; first += viewsPerPass_) {
-        block.tiles.z = first;
+    for (int first = 0; first < block.viewTiles.w; first += viewsPerPass_) {
+        block.viewTiles.z = first;
         uniforms_.bind(7, block);
         model.draw(1);
     }

@@ -11,12 +11,12 @@
 
 namespace autostereo::gpu {
 
-/// A scene of triangles -> all views in the atlas, by the methods that draw views: multipass,
-/// instanced, geometry, mrt (anything else is drawn as instanced); the same picture to rounding.
+/// A scene of triangles -> all views in the atlas, by the methods that draw triangles into every
+/// view: multipass, instanced, geometry, mrt; the same picture to rounding.
 /// Thread-bound.
 class SceneViews {
   public:
-    /// Throws GlError.
+    /// `synthesis.method`: anything but these four is drawn as instanced. Throws GlError.
     SceneViews(const calib::DisplayProfile& display, const SceneParams& scene,
                const SynthesisParams& synthesis, const std::array<double, 3>& clearColor);
 
@@ -40,10 +40,24 @@ class SceneViews {
     gl::Framebuffer framebuffer_;
 };
 
+/// Nearer surfaces hide farther ones while this lives.
+class DepthTest {
+  public:
+    DepthTest() {
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+    }
+    ~DepthTest() { glDisable(GL_DEPTH_TEST); }
+    DepthTest(const DepthTest&) = delete;
+    DepthTest& operator=(const DepthTest&) = delete;
+};
+
 /// The defines that one kind of shading needs.
 [[nodiscard]] std::vector<std::string> definesOf(SceneShading shading);
 /// Eyes in display space as RGBA32F, one texel each.
 [[nodiscard]] gl::Texture makeEyes(const std::vector<glm::dvec3>& eyes);
+/// Where an eye of the fan stands in display space.
+[[nodiscard]] glm::dvec3 fanEye(const calib::DisplayProfile& display, double b);
 /// Where the display's views are seen from, left to right.
 [[nodiscard]] std::vector<glm::dvec3> viewEyes(const calib::DisplayProfile& display);
 

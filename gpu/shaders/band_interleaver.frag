@@ -2,7 +2,9 @@
 // The Combiner (Kooima 2007, section 3.5) for any number of eyes: each eye's view where its band of
 // the barrier or lens is lit, the maximum where bands overlap.
 #include "interleaver_block.glsl"
-#ifdef SEARCH
+#ifdef SURFACES
+#include "scene_samples.glsl"
+#elif defined(SEARCH)
 #include "searched_samples.glsl"
 #else
 #include "tile_samples.glsl"

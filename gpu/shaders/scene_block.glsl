@@ -1,7 +1,7 @@
 // Shared by everything that draws scenes of triangles; twin of gpu::SceneBlock. Metres, display
 // space: origin in the panel's centre, x right, y up, z toward the viewer.
 layout(std140, binding = 7) uniform SceneBlock {
-    ivec4 tiles; // columns, rows of the atlas; view, or the first of a pass; views in all
+    ivec4 viewTiles; // columns, rows of the atlas; view, or the first of a pass; views in all
     vec4 form;   // half the panel's width and height, share of heights that is shown, lights
     vec4 range;  // nearest and farthest height that is shown; Bx (panel widths), distance D
     vec4 ambient;

@@ -9,8 +9,9 @@ layout(location = 3) out vec3 normal;
 #elif defined(PER_VERTEX)
 layout(location = 2) out vec3 diffuseLight;
 layout(location = 3) out vec3 specularLight;
-#elif defined(DISPARITY)
-layout(location = 2) out float height;
+#endif
+#if defined(DISPARITY)
+layout(location = 4) out float height;
 #endif
 
 void handOver(vec3 own, vec3 ownNormal, vec2 ownUv, int part, int view) {
@@ -23,7 +24,8 @@ void handOver(vec3 own, vec3 ownNormal, vec2 ownUv, int part, int view) {
     Light light = lightAt(own, normalize(ownNormal), eyeOf(view), diffuseOf(part).w);
     diffuseLight = light.diffuse;
     specularLight = light.specular;
-#elif defined(DISPARITY)
+#endif
+#if defined(DISPARITY)
     height = own.z * form.z;
 #endif
 }

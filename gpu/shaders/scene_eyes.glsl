@@ -14,8 +14,8 @@ vec4 seenFrom(vec3 eye, vec3 place) {
 }
 
 vec4 inTile(vec4 seen, int view) {
-    vec2 tile = vec2(view % tiles.x, view / tiles.x);
-    vec2 place = (0.5 * (seen.xy + seen.w) + tile * seen.w) / vec2(tiles.xy);
+    vec2 tile = vec2(view % viewTiles.x, view / viewTiles.x);
+    vec2 place = (0.5 * (seen.xy + seen.w) + tile * seen.w) / vec2(viewTiles.xy);
     return vec4(2.0 * place - seen.w, seen.zw);
 }
 

@@ -1,5 +1,8 @@
 // Places and materials of a scene's parts, 11 texels each, 64 to a row; twin of gpu::ScenePart.
-layout(binding = 1) uniform sampler2D partTexels;
+#ifndef PARTS_UNIT
+#define PARTS_UNIT 1
+#endif
+layout(binding = PARTS_UNIT) uniform sampler2D partTexels;
 
 const int kTexels = 11, kPerRow = 64;
 

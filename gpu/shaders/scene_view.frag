@@ -1,6 +1,7 @@
 #version 450 core
 // A scene's surfaces: colour, as a screen wants it; DISPARITY: where a display that makes its own
-// views has to put them (panel widths). TEXTURED, PER_VERTEX, PER_PIXEL: what they are made of.
+// views has to put them (panel widths); SURFACES (with DISPARITY): what a reference viewpoint keeps
+// of them. TEXTURED, PER_VERTEX, PER_PIXEL: what they are made of.
 #include "scene_block.glsl"
 #include "scene_parts.glsl"
 #include "scene_eyes.glsl"
@@ -14,32 +15,50 @@ layout(location = 3) in vec3 normal;
 #elif defined(PER_VERTEX)
 layout(location = 2) in vec3 diffuseLight;
 layout(location = 3) in vec3 specularLight;
-#elif defined(DISPARITY)
-layout(location = 2) in float height;
 #endif
-
-#ifdef DISPARITY
+#if defined(DISPARITY)
+layout(location = 4) in float height;
 layout(location = 0) out float disparity;
-
-void main() { disparity = range.z * height / (range.w - height); }
-#else
+#endif
+#if !defined(DISPARITY) || defined(SURFACES)
 layout(binding = 0) uniform sampler2D surface; // sRGB; white where there is none
-layout(location = 0) out vec4 color;
 
-vec3 onScreen(vec3 light) { // IEC 61966-2-1
-    vec3 clamped = clamp(light, 0.0, 1.0);
-    return mix(12.92 * clamped, 1.055 * pow(clamped, vec3(1.0 / 2.4)) - 0.055,
-               greaterThan(clamped, vec3(0.0031308)));
-}
-
-void main() {
-    vec4 own = diffuseOf(numbers.x);
-    vec3 light = own.rgb;
+vec3 ownColor() {
+    vec3 light = diffuseOf(numbers.x).rgb;
 #ifndef PLAIN
     light *= texture(surface, uv).rgb;
 #endif
+    return light;
+}
+#endif
+
+#if defined(SURFACES)
+layout(location = 1) out uvec4 kept; // as shaders/scene_surfaces.glsl reads it
+
+uint octahedral(vec3 direction) {
+    vec3 flattened = direction / (abs(direction.x) + abs(direction.y) + abs(direction.z));
+    vec2 folded = (1.0 - abs(flattened.yx)) *
+                  mix(vec2(-1.0), vec2(1.0), greaterThanEqual(flattened.xy, vec2(0.0)));
+    return packUnorm2x16(0.5 + 0.5 * (flattened.z < 0.0 ? folded : flattened.xy));
+}
+
+void main() {
+    disparity = range.z * height / (range.w - height);
+    vec3 own = ownColor();
+    kept = uvec4(numbers.x + 1, 0, packHalf2x16(own.rg), packHalf2x16(vec2(own.b, 0.0)));
 #if defined(PER_PIXEL)
-    Light here = lightAt(place, normalize(normal), eyeOf(numbers.y), own.w);
+    kept.y = octahedral(normalize(normal));
+#endif
+}
+#elif defined(DISPARITY)
+void main() { disparity = range.z * height / (range.w - height); }
+#else
+layout(location = 0) out vec4 color;
+
+void main() {
+    vec3 light = ownColor();
+#if defined(PER_PIXEL)
+    Light here = lightAt(place, normalize(normal), eyeOf(numbers.y), diffuseOf(numbers.x).w);
     light = light * here.diffuse + specularOf(numbers.x) * here.specular;
 #elif defined(PER_VERTEX)
     light = light * diffuseLight + specularOf(numbers.x) * specularLight;

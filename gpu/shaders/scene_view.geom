@@ -36,6 +36,6 @@ void repeat(int view) {
 }
 
 void main() {
-    int last = min(tiles.z + VIEWS, tiles.w);
-    for (int view = tiles.z; view < last; ++view) repeat(view);
+    int last = min(viewTiles.z + VIEWS, viewTiles.w);
+    for (int view = viewTiles.z; view < last; ++view) repeat(view);
 }

@@ -38,7 +38,7 @@ void main() {
     for (int edge = 0; edge < 4; ++edge) gl_ClipDistance[edge] = inside[edge];
     gl_Position = inTile(seen, gl_InstanceID);
 #else
-    handOver(corner, turned, ownUv, int(part), tiles.z);
-    gl_Position = seenFrom(eyeOf(tiles.z), corner);
+    handOver(corner, turned, ownUv, int(part), viewTiles.z);
+    gl_Position = seenFrom(eyeOf(viewTiles.z), corner);
 #endif
 }

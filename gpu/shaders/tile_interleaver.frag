@@ -2,7 +2,9 @@
 // Whole views in tiles of the panel: half frames and quilts. What floor(panel / count) leaves over
 // at the right, and opposite the first row of tiles, stays black.
 #include "interleaver_block.glsl"
-#ifdef SEARCH
+#ifdef SURFACES
+#include "scene_samples.glsl"
+#elif defined(SEARCH)
 #include "searched_samples.glsl"
 #else
 #include "tile_samples.glsl"

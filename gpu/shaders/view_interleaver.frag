@@ -2,7 +2,9 @@
 // Each sub-pixel takes its colour channel from the tile of the view that its lens sends where that
 // view belongs. Phase in wrapping fixed point: 2^32 = one cycle.
 #include "interleaver_block.glsl"
-#ifdef SEARCH
+#ifdef SURFACES
+#include "scene_samples.glsl"
+#elif defined(SEARCH)
 #include "searched_samples.glsl"
 #else
 #include "tile_samples.glsl"

@@ -1,48 +1,14 @@
 #include "gpu/views/direct_synthesis.hpp"
 
-#include "calib/optics.hpp"
 #include "calib/panel_map.hpp"
 
 namespace autostereo::gpu {
-
-namespace {
-
-/// From red to green to blue, panel widths.
-double channelStep(const calib::DisplayProfile& display) {
-    const auto layout = calib::subpixelLayout(display);
-    if (!layout) return 0;
-    const auto& [red, green, blue] = layout->offsetsM.front();
-    return (blue.x - red.x) / 2 / display.widthM;
-}
-
-SearchParams searchParams(const calib::DisplayProfile& display, const calib::PanelMap& map,
-                          const SynthesisParams& params) {
-    SearchParams search;
-    search.views = display.views;
-    search.channelStep = channelStep(display);
-    const auto* views = std::get_if<calib::ViewMap>(&map);
-    // Sub-pixels that the maker gave to views one by one show those.
-    if (views == nullptr || !views->remap.empty() || params.positions == ViewPositions::OfViews)
-        return search;
-    search.continuous = display.views > 1;
-    const double first = calib::viewPosition(display, 0);
-    const double step = calib::viewPosition(display, 1) - first;
-    search.positionPerCycle = step * display.views;
-    search.firstPosition = first - step / 2;
-    if (views->reversed) {
-        search.firstPosition += search.positionPerCycle;
-        search.positionPerCycle = -search.positionPerCycle;
-    }
-    return search;
-}
-
-} // namespace
 
 DirectSynthesis::DirectSynthesis(const PipelineParams& params, const calib::DisplayProfile& display,
                                  int panelWidth, int panelHeight)
     : positions_(makeViewPositions(display)) {
     const calib::PanelMap map = calib::panelMap(display, panelWidth, panelHeight);
-    SearchParams search = searchParams(display, map, params.synthesis);
+    SearchParams search = searchParams(display, map, params.synthesis.positions);
     const auto* views = std::get_if<calib::ViewMap>(&map);
     search.rootsOnly = params.synthesis.keepRoots && views != nullptr;
     if (search.rootsOnly)

@@ -3,6 +3,7 @@
 #include "gpu/blocks.hpp"
 #include "gpu/gl/program.hpp"
 #include "gpu/scene/scene_block.hpp"
+#include "gpu/scene/scene_surfaces.hpp"
 #include "tests/support/gl_fixture.hpp"
 
 #include <cstddef>
@@ -45,7 +46,7 @@ TEST_F(BlocksGlTest, ConditionBlock) {
 
 TEST_F(BlocksGlTest, SceneBlock) {
     const gpu::gl::Program program({"scene_view.vert", "scene_view.frag"}, {"PER_PIXEL"});
-    EXPECT_EQ(offsetOf(program, "tiles"), offsetof(gpu::SceneBlock, tiles));
+    EXPECT_EQ(offsetOf(program, "viewTiles"), offsetof(gpu::SceneBlock, viewTiles));
     EXPECT_EQ(offsetOf(program, "form"), offsetof(gpu::SceneBlock, form));
     EXPECT_EQ(offsetOf(program, "range"), offsetof(gpu::SceneBlock, range));
     EXPECT_EQ(offsetOf(program, "ambient"), offsetof(gpu::SceneBlock, ambient));
@@ -53,6 +54,14 @@ TEST_F(BlocksGlTest, SceneBlock) {
     EXPECT_EQ(offsetOf(program, "lightColors[0]"), offsetof(gpu::SceneBlock, lightColors));
     EXPECT_EQ(offsetOf(program, "lightCones[0]"), offsetof(gpu::SceneBlock, lightCones));
     EXPECT_EQ(offsetOf(program, "lightFades[0]"), offsetof(gpu::SceneBlock, lightFades));
+}
+
+TEST_F(BlocksGlTest, SurfacesBlock) {
+    const gpu::gl::Program program({"full_screen.vert", "scene_resolve.frag"}, {"PER_PIXEL"});
+    EXPECT_EQ(offsetOf(program, "lattice"), offsetof(gpu::SurfacesBlock, lattice));
+    EXPECT_EQ(offsetOf(program, "lineup"), offsetof(gpu::SurfacesBlock, lineup));
+    EXPECT_EQ(offsetOf(program, "span"), offsetof(gpu::SurfacesBlock, span));
+    EXPECT_EQ(offsetOf(program, "backdrop"), offsetof(gpu::SurfacesBlock, backdrop));
 }
 
 TEST_F(BlocksGlTest, ColorBlock) {

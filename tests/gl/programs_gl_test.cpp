@@ -91,6 +91,22 @@ std::vector<Variant> scenes() {
             variants.push_back({{"scene_view.vert", "scene_view.geom", "scene_view.frag"},
                                 {shading, target, "REPEATED", "VIEWS 8"}});
     }
+    for (const char* shading : {"PLAIN", "TEXTURED", "PER_PIXEL"}) {
+        variants.push_back(
+            {{"scene_view.vert", "scene_view.frag"}, {shading, "DISPARITY", "SURFACES"}});
+        variants.push_back({{"full_screen.vert", "scene_resolve.frag"}, {shading}});
+        for (const char* eyes : {"REMAP", "CONTINUOUS"})
+            variants.push_back({{"full_screen.vert", "view_interleaver.frag"},
+                                {"SEARCH", "SURFACES", shading, eyes, "GRID"}});
+        for (const char* panel : {"tile_interleaver.frag", "band_interleaver.frag"})
+            variants.push_back({{"full_screen.vert", panel}, {"SEARCH", "SURFACES", shading}});
+    }
+    variants.push_back({{"stale_tiles.vert", "view_interleaver.frag"},
+                        {"SEARCH", "SURFACES", "PER_PIXEL", "UPSIDE_DOWN"}});
+    variants.push_back({{"full_screen.vert", "scene_reproject.frag"}, {}});
+    variants.push_back({{"scene_peaks.comp"}, {}});
+    variants.push_back({{"scene_squares.comp"}, {}});
+    variants.push_back({{"scene_squares.comp"}, {"UPSIDE_DOWN"}});
     return variants;
 }
 

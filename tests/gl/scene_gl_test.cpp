@@ -1,60 +1,13 @@
 // Scenes of triangles in the views: against rays in double precision, method against method.
 
-#include "gpu/scene/scene_pipeline.hpp"
-#include "tests/oracle/scene_oracle.hpp"
-#include "tests/support/gl_fixture.hpp"
-#include "tests/support/gl_scene.hpp"
-#include "tests/support/mesh_shapes.hpp"
+#include "tests/support/scene_fixture.hpp"
 
 #include <cmath>
 
 namespace autostereo::test {
 namespace {
 
-using gpu::SceneLight;
 using gpu::SceneShading;
-
-constexpr double kSeconds = 1.3;
-
-class SceneGlTest : public GlTest {
-  protected:
-    void SetUp() override {
-        GlTest::SetUp();
-        look.share = 1.4; // two balls fill little of their box
-        look.lights = {{.color = {0.5, 0.5, 0.45}, .direction = {0.4, -0.6, -0.9}},
-                       {.kind = SceneLight::Kind::Point,
-                        .color = {0.6, 0.3, 0.2},
-                        .position = {0.3 * display.widthM, 0.1, 0.2},
-                        .reachM = 0.4},
-                       {.kind = SceneLight::Kind::Spot,
-                        .color = {0.3, 0.9, 1.2},
-                        .position = {-0.4 * display.widthM, 0.2, 0.4},
-                        .direction = {0.4, -0.35, -1},
-                        .coneRad = 0.7}};
-    }
-    gpu::ScenePipeline& draw(const gpu::SceneParams& with) {
-        pipeline.emplace(scene, with, params, display, display.width, display.height);
-        pipeline->prepare(kSeconds);
-        return *pipeline;
-    }
-    gpu::RgbImage atlasBy(gpu::Method method, SceneShading shading) {
-        params.synthesis.method = method;
-        look.shading = shading;
-        const gpu::Atlas& atlas = draw(look).atlas();
-        return gpu::readFramebuffer(atlas.framebuffer(), atlas.layout().width(),
-                                    atlas.layout().height());
-    }
-    [[nodiscard]] std::vector<oracle::SceneTriangle> triangles() const {
-        return oracle::trianglesOf(scene, kSeconds,
-                                   pipeline->placement().transform(look, kSeconds));
-    }
-
-    devices::mesh::MeshScene scene = twoBalls();
-    gpu::SceneParams look;
-    gpu::PipelineParams params;
-    calib::DisplayProfile display = smallLensDisplay(3, 3, 96, 128);
-    std::optional<gpu::ScenePipeline> pipeline;
-};
 
 /// Levels by which a picture is off the rays' colours, where the rays beside a pixel's middle see
 /// the same as the middle: the driver moves corners by up to half of 1/256 pixel.
@@ -128,8 +81,7 @@ TEST_F(SceneGlTest, EveryViewIsWhatRaysSee) {
         Judgement judgement;
         for (const int view : {0, 4, 8}) {
             const double b = (2.0 * view + 1) / display.views - 1;
-            judge.compare(gpu::crop(atlas, view % 3 * 96, (2 - view / 3) * 128, 96, 128),
-                          {b * reach, 0, display.viewingDistanceM}, judgement);
+            judge.compare(tileOf(atlas, view), {b * reach, 0, display.viewingDistanceM}, judgement);
         }
         std::printf("%d pixels, %d of them surface, worst %.2f levels, %d at edges left out\n",
                     judgement.compared, judgement.surface, judgement.worst, judgement.left);
@@ -198,40 +150,13 @@ TEST_F(SceneGlTest, LightAtVerticesComesCloserWithMoreOfThem) {
 /// Highlights belong to the eye: on a polished ball they are not where a surface's point moves.
 TEST_F(SceneGlTest, HighlightsMoveWithTheEye) {
     if (IsSkipped()) return;
-    scene = emptyScene();
-    scene.materials[0] = {
-        .name = "ball", .diffuse = glm::vec3(0), .specular = glm::vec3(1), .shininess = 200};
-    addBall(scene, {0, 0, 0}, 1, 40, 0);
-    look.lights = {{.direction = {0, 0, -1}}};
-    look.ambient = glm::dvec3(0);
-    look.tiltRad = 0;
-    look.share = 0.9;
+    showHighlight();
     params.synthesis.tileScale = 2;
     const gpu::RgbImage atlas = atlasBy(gpu::Method::Instanced, SceneShading::PerPixel);
-    const auto highlight = [&](int view) {
-        const gpu::RgbImage tile = gpu::crop(atlas, view % 3 * 192, (2 - view / 3) * 256, 192, 256);
-        double sum = 0, weighted = 0;
-        for (std::size_t i = 0; i < tile.pixels.size(); i += 3) {
-            sum += tile.pixels[i];
-            weighted += tile.pixels[i] * (static_cast<double>(i / 3 % 192) + 0.5);
-        }
-        return (weighted / sum / 192 - 0.5) * display.widthM;
-    };
-    // Light from the front: its mirror image lies where the normal points halfway to the eye, at
-    // half the eye's angle, so on the ball (radius r) about r sin(angle/2) aside, and nearer than
-    // the panel by r cos, at its share of height.
-    const double r = pipeline->placement().radiusM;
-    for (const int view : {0, 8}) {
-        const double b = (2.0 * view + 1) / 9 - 1;
-        const double d = display.viewingDistanceM, e = b * d * std::tan(display.coneRad / 2);
-        double half = std::atan2(e, d) / 2;
-        for (int i = 0; i < 20; ++i) // to the eye from the highlight itself
-            half = std::atan2(e - r * std::sin(half), d - r * std::cos(half)) / 2;
-        const double x = r * std::sin(half);
-        const double z = r * std::cos(half) * pipeline->placement().flattening;
-        EXPECT_NEAR(highlight(view), (x * d - e * z) / (d - z), 0.5 * display.widthM / 192)
+    for (const int view : {0, 8})
+        EXPECT_NEAR(lightMiddle(tileOf(atlas, view)), mirroredAt((2.0 * view + 1) / 9 - 1),
+                    0.5 * display.widthM / 192)
             << "half a texel";
-    }
 }
 
 /// The colour that stands behind the scene, on the panel too; and its views come to its sub-pixels.

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cstdlib>
+#include <fstream>
 
 namespace autostereo::test {
 namespace {
@@ -88,6 +91,11 @@ class SceneContent : public testing::Test {
         EXPECT_EQ(all.framesIn, all.presented + all.skipped + all.dropped);
         return readColor(folder / "panel.png");
     }
+    /// What the last run reports.
+    [[nodiscard]] std::string methodInUse() const {
+        std::ifstream file(folder / "report.json");
+        return nlohmann::json::parse(file).at("method").get<std::string>();
+    }
     TempFolder folder;
     std::string scene;
     RunReport report;
@@ -163,6 +171,25 @@ TEST_F(SceneContent, EveryMethodDrawsIt) {
     }
 }
 
+/// By way of a few viewpoints the same picture, away from edges.
+TEST_F(SceneContent, FewViewpointsShowItAll) {
+    for (const char* method : {"hybrid", "direct"}) {
+        expectQuarters(render("panel", kPlain, {"--method", method}));
+        expectQuarters(run(std::string(kPlain) + "[synthesis]\nmethod = \"" + method + "\"\n",
+                           {"--frames", "1", "--speed", "max"}));
+        EXPECT_EQ(methodInUse(), method);
+    }
+    const ColorPicture instanced = render("quilt"),
+                       other = render("quilt", kPlain, {"--method", "hybrid"});
+    ASSERT_EQ(other.rgb.size(), instanced.rgb.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < other.rgb.size(); ++i)
+        if (other.rgb[i] != instanced.rgb[i]) ++different;
+    EXPECT_LE(different, other.rgb.size() / 50);
+    run("[scene]\nshading = \"per-vertex\"\n[synthesis]\nmethod = \"hybrid\"\n", {"--frames", "1"});
+    EXPECT_EQ(methodInUse(), "instanced") << "light at vertices cannot be put off";
+}
+
 /// A run's picture number five is the render's.
 TEST_F(SceneContent, ARunShowsWhatRenderShows) {
     const std::string turning = "[scene]\nturn_s = 1\n";
@@ -193,12 +220,18 @@ TEST_F(SceneContent, WhatNeedsCamerasIsRefusedPlainly) {
     refused(with("render", {"--as", "depth", "--output", out}), 2);
     refused(with("render", {"--as", "view", "--camera-offset", "0,0,0", "--output", out}), 2);
     refused(with("render", {"--as", "panel", "--reference", "--output", out}), 2);
-    refused(with("render", {"--as", "panel", "--method", "direct", "--output", out}), 2);
+    refused(with("render", {"--as", "quilt", "--method", "direct", "--output", out}), 2);
     refused(with("run", {"--output", "offscreen", "--record", folder / "r.mkv"}), 2);
     refused({"record", "--input", scene, "--output", folder / "r.mkv"}, 2);
     scene = folder / "gone.glb";
     refused(with("run", {"--output", "offscreen"}), 3);
     refused(with("render", {"--as", "panel", "--output", out}), 3);
+    scene = folder / "quarters.obj";
+    for (const char* method : {"hybrid", "direct"}) {
+        auto arguments = command("render", "[scene]\nshading = \"per-vertex\"\n");
+        arguments.insert(arguments.end(), {"--as", "panel", "--method", method, "--output", out});
+        refused(arguments, 2);
+    }
     scene = folder.file("broken.ply", "ply\nformat ascii 1.0\nelement vertex 9999999999\n"
                                       "property float x\nend_header\n");
     refused(with("run", {"--output", "offscreen"}), 1);
