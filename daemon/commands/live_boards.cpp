@@ -41,14 +41,15 @@ calib::Picture pictureOf(const devices::GreyPixels& grey,
 /// What whoever holds the board sees: the picture, how far it is, what is wanted.
 class Guide {
   public:
-    explicit Guide(const config::Config& config) {
+    Guide(const config::Config& config, std::FILE* terminal) : terminal_(terminal) {
         if (chooseOutput(config) != config::Output::Window) return;
         calib::DisplayProfile display = config::loadDisplay("preview"); // any monitor, flat
         panel_ = openPanel(display, config::Output::Window, false);
     }
     void say(const std::string& text, const devices::GreyPixels& grey,
              const std::optional<calibrate::BoardView>& view) {
-        if (text != said_) std::fprintf(stderr, "%s\n", text.c_str());
+        if (text != said_) std::fprintf(terminal_, "%s\n", text.c_str());
+        std::fflush(terminal_);
         said_ = text;
         if (!panel_) return;
         drawPicture(*panel_, pictureOf(grey, view));
@@ -59,6 +60,7 @@ class Guide {
     [[nodiscard]] bool left() const { return panel_ && panel_->closed(); }
 
   private:
+    std::FILE* terminal_;
     std::unique_ptr<gpu::Panel> panel_;
     std::string said_;
 };
@@ -139,7 +141,7 @@ void watchBoards(const BoardOptions& options, const calibrate::Board& board, Fou
         input.depthIsLive || input.colorIsLive; // of a recording nothing is left out
     const auto speed = isLive ? config::Speed::Realtime : config::Speed::Max;
     const auto feed = openFeed(std::move(input), config, speed, false, clock);
-    Guide guide(config);
+    Guide guide(config, options.json ? stderr : stdout); // figures for machines stay alone
     Watch watch(options, board, found);
     while (!stop.requested() && !guide.left() && !watch.enough() && !feed->ended())
         if (const auto pair = feed->next(std::chrono::milliseconds(100))) watch.look(*pair, guide);
