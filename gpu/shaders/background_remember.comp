@@ -46,6 +46,8 @@ void main() {
     vec4 levels = round(color * 255.0);
     bool isSame = imageLoad(memoryDepth, texel).x == kept &&
                   round(imageLoad(memoryColor, texel) * 255.0) == levels;
+    // What was forgotten and is as before is not settled: next time it is averaged.
+    if (isMoved(before)) imageStore(changed, listedBlock(), uvec4(1u));
     if (isSame) return;
     imageStore(memoryDepth, texel, vec4(kept));
     imageStore(memoryColor, texel, levels / 255.0);

@@ -140,7 +140,7 @@ TEST_F(SkipStressTest, NoByteDiffersFromDoingEverything) {
     if (IsSkipped()) return;
     gpu::PipelineParams params;
     params.color.sigma = 1;
-    compare(params, campaign(250, 10'000));
+    compare(params, campaign(500, 10'000));
 }
 
 TEST_F(SkipStressTest, NorWithoutHoldingAnything) {
