@@ -13,6 +13,7 @@ struct CyclopeanGrid {
     int rows = 1;
     double marginU = 0; ///< beyond either side, panel widths
     double marginV = 0; ///< above and below, panel heights
+    [[nodiscard]] bool operator==(const CyclopeanGrid&) const = default;
 
     [[nodiscard]] glm::dvec2 panelFromTexel(const glm::dvec2& texel) const {
         return {(texel.x + 0.5) / columns * (1 + 2 * marginU) - marginU,

@@ -17,6 +17,7 @@ struct DisparityLaw {
     double fanHalfWidth = 0;    ///< Bx = D tan(cone / 2) / W, panel widths
     double farthest = 0;        ///< budget, panel widths: farthest <= 0 <= nearest
     double nearest = 0;
+    [[nodiscard]] bool operator==(const DisparityLaw&) const = default;
 
     /// Height above the panel, display metres, at which disparity is `d`; minus infinity where none
     /// reaches it, because behind the panel disparity stays above -Bx.

@@ -66,8 +66,10 @@ void readCondition(TomlReader& root, gpu::ConditionParams& params) {
     params.holeWidth = table.integer("hole_width", {0, 8}, params.holeWidth);
 }
 
-void readSynthesis(TomlReader& root, gpu::SynthesisParams& params) {
+void readSynthesis(TomlReader& root, gpu::PipelineParams& pipeline) {
     auto table = root.table("synthesis");
+    pipeline.skipUnchanged = table.boolean("skip_unchanged", pipeline.skipUnchanged);
+    gpu::SynthesisParams& params = pipeline.synthesis;
     params.method = table.choice<gpu::Method>("method", gpu::kMethods, params.method);
     params.positions = table.choice<gpu::ViewPositions>(
         "positions",
@@ -85,6 +87,9 @@ void readSynthesis(TomlReader& root, gpu::SynthesisParams& params) {
 
 void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
     readCondition(root, params.condition);
+    auto color = root.table("color");
+    params.color.sigma = color.number("noise_levels", {0, 20}, params.color.sigma);
+
     auto mesh = root.table("mesh");
     params.mesh.nearestM = mesh.number("nearest_m", {0.01, 10}, params.mesh.nearestM);
     params.mesh.farthestM = mesh.number("farthest_m", {0.1, 100}, params.mesh.farthestM);
@@ -105,7 +110,7 @@ void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
     params.registration.extrudePx =
         registration.integer("extrude_px", {0, 16}, params.registration.extrudePx);
 
-    readSynthesis(root, params.synthesis);
+    readSynthesis(root, params);
 }
 
 /// The two ends of an interval: rising, each within the range.

@@ -108,4 +108,11 @@ struct FillBlock {
     glm::ivec4 reach{0};
 };
 
+/// shaders/list_blocks.comp, binding 7.
+struct ListBlock {
+    std::array<glm::ivec4, 7> reach{};
+    glm::ivec4 size{0};
+};
+static_assert(sizeof(ListBlock) == 128);
+
 } // namespace autostereo::gpu

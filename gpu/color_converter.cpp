@@ -50,6 +50,11 @@ ColorBlock colorBlock(const devices::FrameMetadata& frame) {
 
 bool ColorConverter::converts(PixelFormat format) { return !variantOf(format).empty(); }
 
+bool ColorConverter::sharesChroma(PixelFormat format) {
+    return format == PixelFormat::Yuyv || format == PixelFormat::Uyvy ||
+           format == PixelFormat::Nv12;
+}
+
 ColorConverter::ByteGrid ColorConverter::byteGrid(const devices::FrameMetadata& frame) {
     const int rows = frame.format == PixelFormat::Nv12 ? frame.height / 2 * 3 : frame.height;
     const std::size_t bytes = devices::frameBytes(frame.format, frame.width, frame.height);

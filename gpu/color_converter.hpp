@@ -13,6 +13,8 @@ namespace autostereo::gpu {
 /// Thread-bound.
 class ColorConverter {
   public:
+    /// Whether pixels take part of their colour from the ones beside them.
+    [[nodiscard]] static bool sharesChroma(devices::PixelFormat format);
     /// Whether a format has to be converted; else it can be uploaded as it is.
     [[nodiscard]] static bool converts(devices::PixelFormat format);
     /// Rows and columns of the texture that holds a frame's bytes, R8.

@@ -65,7 +65,8 @@ DepthConditioner::DepthConditioner(const ConditionParams& params, const DepthMes
                                    const calib::CameraModel& depthCamera)
     : params_(params), range_(range), camera_(depthCamera), measure_({"condition_measure.comp"}),
       flying_({"condition_flying.comp"}), hold_({"condition_hold.comp"}),
-      holes_({"condition_holes.comp"}), noAmplitude_(GL_R16UI, 1, 1) {}
+      holes_({"condition_holes.comp"}), resetFills_({"condition_fills.comp"}, {"RESET"}),
+      sumFills_({"condition_fills.comp"}), noAmplitude_(GL_R16UI, 1, 1) {}
 
 void DepthConditioner::condition(const gl::Texture& depth, const gl::Texture* amplitude,
                                  double depthUnitM) {
@@ -77,9 +78,10 @@ void DepthConditioner::condition(const gl::Texture& depth, const gl::Texture* am
     counters_.begin(1);
     measure(depth, amplitude);
     for (int round = 0; params_.flyingPixels && round < kFlyingRounds; ++round)
-        markFlying();
+        markFlying(round > 0);
     if (params_.hold) hold();
-    fillHoles();
+    // What is not held is another measurement every time.
+    fillHoles(params_.hold ? calm_ : pixels_, restarted_ || !params_.hold);
     counters_.end();
 }
 
@@ -94,6 +96,13 @@ void DepthConditioner::restart(const gl::Texture& depth, double depthUnitM) {
     nextState_ = gl::Texture(GL_RGBA32UI, width, height);
     waited_ = gl::Texture(GL_R8UI, width, height);
     clean_ = gl::Texture(GL_R16UI, width, height);
+    calm_ = gl::Texture(GL_R32UI, width, height);
+    for (BlockMarks* marks : {&changed_, &flyingMarks_, &calmMarks_})
+        marks->resize(width, height);
+    list_.resize(width, height);
+    fills_ = gl::makeBuffer(
+        2 * sizeof(GLuint) * static_cast<std::size_t>(list_.across() * list_.down()), nullptr, 0);
+    restarted_ = true;
     clear(state_, GL_RGBA_INTEGER);
     clear(waited_, GL_RED_INTEGER);
 }
@@ -124,10 +133,17 @@ void DepthConditioner::measure(const gl::Texture& depth, const gl::Texture* ampl
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void DepthConditioner::markFlying() {
+/// Again: only where one flies; elsewhere both textures are alike.
+void DepthConditioner::markFlying(bool again) {
+    if (again)
+        lister_.list(list_, {{flyingMarks_, 1, 1}});
+    else
+        list_.listAll();
+    flyingMarks_.clear();
     glBindTextureUnit(0, pixels_.name());
     glBindImageTexture(0, nextPixels_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32UI);
-    gl::dispatch(flying_, clean_.width(), clean_.height());
+    flyingMarks_.bind(1);
+    list_.dispatch(flying_);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     std::swap(pixels_, nextPixels_);
 }
@@ -135,20 +151,32 @@ void DepthConditioner::markFlying() {
 void DepthConditioner::hold() {
     glBindTextureUnit(0, pixels_.name());
     glBindTextureUnit(1, state_.name());
-    glBindImageTexture(0, nextPixels_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32UI);
+    glBindImageTexture(0, calm_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
     glBindImageTexture(1, nextState_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32UI);
     glBindImageTexture(2, waited_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R8UI);
+    calmMarks_.clear();
+    calmMarks_.bind(3);
     gl::dispatch(hold_, clean_.width(), clean_.height());
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    std::swap(pixels_, nextPixels_);
     std::swap(state_, nextState_);
 }
 
-void DepthConditioner::fillHoles() {
-    glBindTextureUnit(0, pixels_.name());
-    glBindImageTexture(0, clean_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R16UI);
-    gl::dispatch(holes_, clean_.width(), clean_.height());
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+void DepthConditioner::fillHoles(const gl::Texture& measured, bool everything) {
+    if (everything)
+        list_.listAll();
+    else
+        lister_.list(list_, {{calmMarks_, kLargestHole, kLargestHole}});
+    changed_.clear();
+    if (std::exchange(restarted_, false)) changed_.markAll(); // there was nothing before
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, fills_.name());
+    list_.dispatch(resetFills_);
+    glBindTextureUnit(0, measured.name());
+    glBindImageTexture(0, clean_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R16UI);
+    changed_.bind(1);
+    list_.dispatch(holes_);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    sumFills_.use();
+    glDispatchCompute(1, 1, 1);
 }
 
 std::uint64_t DepthConditioner::restsAfter() const {

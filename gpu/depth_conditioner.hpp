@@ -2,6 +2,7 @@
 
 #include "calib/camera_model.hpp"
 #include "gpu/blocks.hpp"
+#include "gpu/dirty/block_lister.hpp"
 #include "gpu/gl/counter_ring.hpp"
 #include "gpu/gl/program.hpp"
 #include "gpu/gl/uniform_buffer.hpp"
@@ -36,6 +37,8 @@ class DepthConditioner {
     /// `amplitude` is of the depth's size, or null.
     void condition(const gl::Texture& depth, const gl::Texture* amplitude, double depthUnitM);
     [[nodiscard]] const gl::Texture& depth() const { return clean_; }
+    /// Blocks of it that differ from the last frame's.
+    [[nodiscard]] const BlockMarks& changed() const { return changed_; }
     [[nodiscard]] const Tally& tally() const { return tally_; }
     /// So many like frames in a row, and one more changes nothing: what was before is forgotten.
     [[nodiscard]] std::uint64_t restsAfter() const;
@@ -44,9 +47,9 @@ class DepthConditioner {
     void restart(const gl::Texture& depth, double depthUnitM);
     void setBlock(const gl::Texture* amplitude);
     void measure(const gl::Texture& depth, const gl::Texture* amplitude);
-    void markFlying();
+    void markFlying(bool again);
     void hold();
-    void fillHoles();
+    void fillHoles(const gl::Texture& measured, bool everything);
     void takeTally();
 
     ConditionParams params_;
@@ -54,7 +57,11 @@ class DepthConditioner {
     calib::CameraModel camera_;
     double depthUnitM_ = 0;
 
-    gl::Program measure_, flying_, hold_, holes_;
+    gl::Program measure_, flying_, hold_, holes_, resetFills_, sumFills_;
+    BlockLister lister_;
+    BlockList list_;
+    BlockMarks flyingMarks_, calmMarks_;
+    gl::Buffer fills_; ///< pixels of each block that were filled, and that were not
     gl::UniformBuffer<ConditionBlock> uniforms_;
     ConditionBlock block_;
     gl::CounterRing counters_{kTallies.size() - 1};
@@ -64,7 +71,10 @@ class DepthConditioner {
     gl::Texture pixels_, nextPixels_; ///< from pass to pass
     gl::Texture state_, nextState_;   ///< from frame to frame
     gl::Texture waited_;
+    gl::Texture calm_; ///< what is held
     gl::Texture clean_;
+    BlockMarks changed_;
+    bool restarted_ = true;
 };
 
 } // namespace autostereo::gpu

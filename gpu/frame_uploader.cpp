@@ -1,6 +1,8 @@
 #include "gpu/frame_uploader.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <vector>
 
 namespace autostereo::gpu {
 
@@ -50,20 +52,41 @@ void FrameUploader::upload(const devices::RgbdFrame& frame) {
 
 void FrameUploader::uploadColor(const devices::Frame& frame) {
     const devices::FrameMetadata& form = frame.metadata();
+    colorChanged_ = hold_.update(frame);
+    if (!colorChanged_) return;
     if (!color_.isSized(form.width, form.height)) {
+        colorMarks_.resize(form.width, form.height);
         color_ = gl::Texture(GL_RGBA8, form.width, form.height);
         color_.setFilter(GL_LINEAR);
     }
+    uploadMarks(form);
     Staging& staging = ring_[next_ + 1];
     if (!ColorConverter::converts(form.format)) {
         const GLenum order = form.format == devices::PixelFormat::Bgra8 ? GL_BGRA : GL_RGBA;
-        staging.copy(frame.pixels(), color_, order, GL_UNSIGNED_BYTE);
+        staging.copy(hold_.bytes(), color_, order, GL_UNSIGNED_BYTE);
         return;
     }
     const auto [columns, rows] = ColorConverter::byteGrid(form);
     if (!colorBytes_.isSized(columns, rows)) colorBytes_ = gl::Texture(GL_R8, columns, rows);
-    staging.copy(frame.pixels(), colorBytes_, GL_RED, GL_UNSIGNED_BYTE);
+    staging.copy(hold_.bytes(), colorBytes_, GL_RED, GL_UNSIGNED_BYTE);
     converter_.convert(form, colorBytes_, color_);
+}
+
+void FrameUploader::uploadMarks(const devices::FrameMetadata& form) {
+    const int across = BlockMarks::blocksOf(form.width), down = BlockMarks::blocksOf(form.height);
+    std::vector<std::uint8_t> marks = hold_.renewed();
+    const bool sharesChroma = ColorConverter::sharesChroma(form.format);
+    for (int i = 0; sharesChroma && i < across * down;
+         ++i) { // interpolated from one block to the next
+        const int x = i % across, y = i / across;
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, down - 1); ++v)
+            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, across - 1); ++u)
+                marks[static_cast<std::size_t>(i)] |=
+                    hold_.renewed()[static_cast<std::size_t>(v * across + u)];
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(colorMarks_.texture().name(), 0, 0, 0, across, down, GL_RED_INTEGER,
+                        GL_UNSIGNED_BYTE, marks.data());
 }
 
 } // namespace autostereo::gpu

@@ -2,6 +2,8 @@
 
 #include "devices/frame.hpp"
 #include "gpu/color_converter.hpp"
+#include "gpu/color_hold.hpp"
+#include "gpu/dirty/block_marks.hpp"
 #include "gpu/gl/objects.hpp"
 
 #include <array>
@@ -14,6 +16,8 @@ namespace autostereo::gpu {
 /// Textures follow the frames' size. Thread-bound.
 class FrameUploader {
   public:
+    explicit FrameUploader(const ColorHoldParams& color = {}) : hold_(color) {}
+
     void upload(const devices::RgbdFrame& frame);
     [[nodiscard]] const gl::Texture& depth() const { return depth_; }
     /// None where the newest frame has none.
@@ -21,9 +25,14 @@ class FrameUploader {
         return hasAmplitude_ ? &amplitude_ : nullptr;
     }
     [[nodiscard]] const gl::Texture& color() const { return color_; }
+    /// Whether any of it is another colour than before, and where, in blocks of the picture.
+    [[nodiscard]] bool colorChanged() const { return colorChanged_; }
+    [[nodiscard]] const BlockMarks& colorMarks() const { return colorMarks_; }
+    [[nodiscard]] const ColorHold& hold() const { return hold_; }
 
   private:
     void uploadColor(const devices::Frame& frame);
+    void uploadMarks(const devices::FrameMetadata& form);
 
     /// A mapped staging buffer and the fence behind its last copy.
     class Staging {
@@ -53,6 +62,9 @@ class FrameUploader {
     gl::Texture amplitude_;
     gl::Texture color_;
     ColorConverter converter_;
+    ColorHold hold_;
+    bool colorChanged_ = false;
+    BlockMarks colorMarks_;
     gl::Texture colorBytes_; ///< R8, where the camera's format is converted
 };
 

@@ -19,11 +19,16 @@ class LayerDrawer {
     void draw(const MeshLayers& layers, const gl::Texture& color, glm::ivec4 tiles, int instances);
     /// Measured surfaces only.
     void drawScene(const MeshLayer& scene);
+    /// Of these, what `indices` name and `command` counts (glDrawElementsIndirect).
+    void drawPart(const MeshLayer& scene, const gl::Buffer& indices, const gl::Buffer& command);
 
+    /// Binds a target for drawing parts of layers into, and that there are no attributes.
+    void target(GLuint framebuffer) const;
     /// Binds and clears a target for drawing layers into.
     static void clear(GLuint framebuffer, const std::array<double, 3>& color);
 
   private:
+    void bindLayer(const MeshLayer& layer, glm::ivec4 tiles, glm::vec2 depthRange);
     void drawLayer(const MeshLayer& layer, glm::ivec4 tiles, glm::vec2 depthRange, int instances);
 
     gl::UniformBuffer<ViewsBlock> uniforms_;

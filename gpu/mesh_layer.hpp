@@ -6,6 +6,7 @@ namespace autostereo::gpu {
 
 /// A grid of vertices with everything that no view changes, ready to be drawn by any of them.
 struct MeshLayer {
+    static constexpr int kBlockCells = 64; ///< of the depth grid's: 8 x 8 after another
     gl::Texture points;  ///< RGBA32F per vertex: u, v, disparity at |b| = 1, z (m; 0: none)
     gl::Texture sources; ///< RG32F per vertex: texture coordinate of its colour
     gl::Buffer indices;  ///< 6 per cell; triangles that are not drawn are degenerate

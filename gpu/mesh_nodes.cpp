@@ -43,12 +43,12 @@ void setCameras(MeshBlock& block, const calib::SensorRig& rig, const DepthMeshPa
 }
 
 void buildNodes(const gl::Program& program, const MeshLayer& layer, const gl::Texture& rays,
-                const gl::Texture& nodes) {
+                const gl::Texture& nodes, const BlockList& list) {
     glBindTextureUnit(0, rays.name());
     glBindTextureUnit(1, nodes.name());
     glBindImageTexture(0, layer.points.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     glBindImageTexture(1, layer.sources.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
-    gl::dispatch(program, layer.points.width(), layer.points.height());
+    list.dispatch(program);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

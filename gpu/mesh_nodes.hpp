@@ -2,6 +2,7 @@
 
 #include "calib/sensor_rig.hpp"
 #include "gpu/blocks.hpp"
+#include "gpu/dirty/block_list.hpp"
 #include "gpu/gl/program.hpp"
 #include "gpu/mesh_layer.hpp"
 #include "gpu/params.hpp"
@@ -16,10 +17,10 @@ namespace autostereo::gpu {
 void setCameras(MeshBlock& block, const calib::SensorRig& rig, const DepthMeshParams& params,
                 double depthUnitM);
 
-/// Fills `layer`'s points and sources. `program`: a variant of mesh_points.comp; `nodes`: counts,
-/// as large as the layer. The mesh block is bound by the caller.
+/// Fills `layer`'s points and sources, those of `list`. `program`: a variant of mesh_points.comp;
+/// `nodes`: counts, as large as the layer. The mesh block is bound by the caller.
 void buildNodes(const gl::Program& program, const MeshLayer& layer, const gl::Texture& rays,
-                const gl::Texture& nodes);
+                const gl::Texture& nodes, const BlockList& list);
 /// The same for the registration: RGBA32F texture coordinate in the colour image, z, count.
 void buildPlaces(const gl::Program& program, const gl::Texture& places, const gl::Texture& rays,
                  const gl::Texture& counts);

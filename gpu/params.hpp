@@ -75,6 +75,11 @@ struct ConditionParams {
     int holeWidth = 3; ///< pixels; wider holes stay
 };
 
+/// Of what a colour camera gives, what is taken for noise (ColorHold).
+struct ColorHoldParams {
+    double sigma = 0; ///< of a byte, levels; 0: every difference shows
+};
+
 /// How the measured surfaces become a complete cyclopean picture.
 struct FusionParams {
     double density = 1.5;     ///< texels of the cyclopean grid per pixel of the depth camera
@@ -137,6 +142,7 @@ struct SynthesisParams {
 
 struct PipelineParams {
     ConditionParams condition;
+    ColorHoldParams color;
     DepthMeshParams mesh;
     FusionParams fusion;
     RegistrationParams registration;
@@ -144,6 +150,7 @@ struct PipelineParams {
     calib::FramingChoice framing;
     BackdropParams backdrop;
     SynthesisParams synthesis;
+    bool skipUnchanged = true; ///< do again only what a frame changes; else all, to the same bytes
     std::array<double, 3> clearColor{0, 0, 0}; ///< gamma-encoded, 0..1
 };
 

@@ -7,8 +7,9 @@ namespace autostereo::gpu {
 Pipeline::Pipeline(const PipelineParams& params, const calib::SensorRig& rig,
                    const calib::DisplayProfile& display, int panelWidth, int panelHeight)
     : params_(params), rig_(rig), display_(display), panelWidth_(panelWidth),
-      panelHeight_(panelHeight), conditioner_(params.condition, params.mesh, rig.depth),
-      mesh_(params.mesh, rig), fusion_(params, rig) {
+      panelHeight_(panelHeight), uploader_(params.color),
+      conditioner_(params.condition, params.mesh, rig.depth), mesh_(params.mesh, rig),
+      fusion_(params, rig) {
     if (params.synthesis.method != Method::Auto || params.synthesis.followEyes) makeViews();
     if (params.budget.follow) budget_.emplace(params.budget, display);
 }
@@ -27,7 +28,12 @@ void Pipeline::prepare(const devices::RgbdFrame& frame) {
     const double unitM = frame.depth.metadata().depthUnitM;
     timed(1, [&] { conditioner_.condition(uploader_.depth(), uploader_.amplitude(), unitM); });
     timed(2, [&] { buildMesh(frame.depth.metadata()); });
-    timed(3, [&] { fusion_.fuse(mesh_.layer(), uploader_.color(), geometry_); });
+    const FusionChanges changes{mesh_.redraw(),
+                                uploader_.colorChanged() ? &uploader_.colorMarks() : nullptr};
+    timed(3, [&] {
+        fusion_.fuse(mesh_.layer(), uploader_.color(), geometry_,
+                     params_.skipUnchanged ? &changes : nullptr);
+    });
     if (!views_) {
         choice_ = chooseMethod(params_, display_, panelWidth_, panelHeight_, scene());
         params_.synthesis.method = choice_->method;
@@ -64,7 +70,8 @@ void Pipeline::adjust(const DepthBudgetParams& budget, Method method) {
 
 void Pipeline::buildMesh(const devices::FrameMetadata& depth) {
     if (budget_) budget_->follow(depth.capturedAt, geometry_);
-    mesh_.build(conditioner_.depth(), depth.depthUnitM, geometry_);
+    mesh_.build(conditioner_.depth(), depth.depthUnitM, geometry_,
+                params_.skipUnchanged ? &conditioner_.changed() : nullptr);
     if (budget_ && budget_->measure(mesh_.layer().points, geometry_))
         mesh_.build(conditioner_.depth(), depth.depthUnitM, geometry_);
 }

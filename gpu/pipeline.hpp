@@ -50,8 +50,15 @@ class Pipeline {
     /// None where the method draws no views.
     [[nodiscard]] const Atlas* atlas() const { return views_ ? views_->atlas() : nullptr; }
     /// The method in use; Auto before the first frame.
-    [[nodiscard]] std::optional<double> keptShare() const {
+    [[nodiscard]] std::optional<KeptShare> keptShare() const {
         return views_ ? views_->keptShare() : std::nullopt;
+    }
+    /// Share of the colour camera's blocks that were taken for what they were before.
+    [[nodiscard]] double keptColorShare() const {
+        const ColorHold& hold = uploader_.hold();
+        return hold.blocksSeen() == 0 ? 0
+                                      : static_cast<double>(hold.blocksKept()) /
+                                            static_cast<double>(hold.blocksSeen());
     }
     [[nodiscard]] Method method() const { return params_.synthesis.method; }
     /// What Method::Auto chose when it saw the first frame; none with another method.

@@ -21,6 +21,7 @@ struct SceneGeometry {
     calib::DisparityLaw law;
     calib::CyclopeanGrid grid;
     double cutM = 0; ///< BackdropParams
+    [[nodiscard]] bool operator==(const SceneGeometry&) const = default;
 };
 
 /// Depth counts that are measurements, inclusive, for a frame's unit.

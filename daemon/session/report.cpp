@@ -69,6 +69,9 @@ Json toJson(const Report& report) {
         {"depth", depthJson(report.depth)},
         {"recording", recordingJson(report.recording)},
         {"search_kept_share", numberOrNull(report.keptShare)},
+        {"picture_kept_share", numberOrNull(report.keptPicture)},
+        {"fusion_kept_share", numberOrNull(report.keptFusion)},
+        {"color_kept_share", report.keptColor},
         {"stages", stages},
         {"gpu", {{"memory_mib", report.gpuMemoryMib}, {"objects", report.gpuObjects}}},
         {"latency_ms", report.latencyMs.at(0.5) ? percentilesJson(report.latencyMs, "p50", "p99")

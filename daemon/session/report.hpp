@@ -37,10 +37,13 @@ struct Report {
     std::optional<Depth> depth;                           ///< none before the first frame
     std::optional<devices::Recorder::Counters> recording; ///< none: nothing is recorded
     std::optional<double> keptShare; ///< of the panel, not searched anew; none: not searched at all
-    double gpuMemoryMib = 0;         ///< textures and buffers of all stages
-    std::int64_t gpuObjects = 0;     ///< textures, buffers, programs, queries, ...
-    Percentiles latencyMs;           ///< mid-exposure to present; empty at --speed max
-    Histogram latencyHistogram;      ///< of the same, all of them
+    std::optional<double> keptPicture; ///< of the panel, not drawn anew
+    std::optional<double> keptFusion;  ///< of the cyclopean picture, not fused anew
+    double keptColor = 0;              ///< of the colour camera's picture, taken for noise
+    double gpuMemoryMib = 0;           ///< textures and buffers of all stages
+    std::int64_t gpuObjects = 0;       ///< textures, buffers, programs, queries, ...
+    Percentiles latencyMs;             ///< mid-exposure to present; empty at --speed max
+    Histogram latencyHistogram;        ///< of the same, all of them
     double seconds = 0;
 
     [[nodiscard]] std::uint64_t skippedTotal() const;

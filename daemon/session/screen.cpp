@@ -199,7 +199,12 @@ void Screen::account(Report& report) const {
     if (scenePipeline_) report.method = gpu::methodName(scenePipeline_->method());
     if (!pipeline_) return;
     report.conditioner = perFrame(pipeline_->conditioner().tally());
-    report.keptShare = pipeline_->keptShare();
+    report.keptColor = pipeline_->keptColorShare();
+    report.keptFusion = pipeline_->fusion().holes().keptShare();
+    if (const auto kept = pipeline_->keptShare()) {
+        report.keptShare = kept->search;
+        report.keptPicture = kept->picture;
+    }
     report.method = gpu::methodName(pipeline_->method());
     if (report.presented == 0) return;
     const gpu::SceneGeometry& geometry = pipeline_->geometry();

@@ -161,6 +161,9 @@ std::string statusText(const std::string& line) try {
     if (const Json& kept = report.at("search_kept_share"); kept.is_number())
         text += "not searched anew: " + std::to_string(static_cast<int>(100 * kept.get<double>())) +
                 " % of the panel\n";
+    if (const Json& kept = report.at("picture_kept_share"); kept.is_number())
+        text += "not drawn anew: " + std::to_string(static_cast<int>(100 * kept.get<double>())) +
+                " % of the panel\n";
     text += "settings:";
     for (const auto& [name, value] : all.at("settings").items())
         text += ' ' + name + '=' + valueText(value);

@@ -7,11 +7,14 @@
 #include "disparity.glsl"
 #include "camera.glsl"
 #include "cyclopean_grid.glsl"
+#include "listed_blocks.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 8) in;
 
 layout(binding = 0) uniform sampler2D filled;
 layout(rg32f, binding = 0) uniform image2D claims; // depth (m; 0: not claimed), texels to its edge
+layout(rg32f, binding = 1) uniform image2D forward; // the same of the way there
+layout(r8ui, binding = 2) uniform writeonly uimage2D changed;
 
 const float kNone = 1e9;
 
@@ -46,13 +49,19 @@ void walk(int row, int first, int step, int columns) {
             lastColumn = x;
         }
         ivec2 texel = ivec2(x, row);
-        if (step < 0) claim = better(imageLoad(claims, texel).xy, claim);
+        if (step > 0) {
+            imageStore(forward, texel, vec4(claim, 0.0, 0.0));
+            continue;
+        }
+        claim = better(imageLoad(forward, texel).xy, claim);
+        if (imageLoad(claims, texel).xy == claim) continue;
         imageStore(claims, texel, vec4(claim, 0.0, 0.0));
+        imageStore(changed, texel / 8, uvec4(1u));
     }
 }
 
 void main() {
-    int row = int(gl_GlobalInvocationID.x);
+    int row = listedBlock().y * 8 + int(gl_LocalInvocationID.x);
     ivec2 size = imageSize(claims);
     if (row >= size.y) return;
     walk(row, 0, 1, size.x);

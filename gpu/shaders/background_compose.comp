@@ -6,9 +6,10 @@
 #include "mesh_block.glsl"
 #include "camera.glsl"
 #include "cyclopean_grid.glsl"
+#include "listed_blocks.glsl"
 #include "background_memory.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D filled;
 layout(binding = 1) uniform sampler2D claims;
@@ -16,8 +17,10 @@ layout(binding = 2) uniform sampler2D guide;
 layout(binding = 3) uniform sampler2D colorImage;
 layout(binding = 4) uniform sampler2D spread; // colours, pushed
 layout(binding = 7) uniform sampler2D backdrop;
-layout(r32f, binding = 0) uniform writeonly image2D depth;
-layout(rgba8, binding = 1) uniform writeonly image2D color;
+layout(r32f, binding = 0) uniform image2D depth;
+layout(rgba8, binding = 1) uniform image2D color;
+layout(r8ui, binding = 2) uniform writeonly uimage2D changedDepth;
+layout(r8ui, binding = 3) uniform writeonly uimage2D changedColor;
 
 // The backdrop covers the grid, margins included, and is cropped to its shape.
 vec3 backdropColor(ivec2 texel) {
@@ -29,7 +32,7 @@ vec3 backdropColor(ivec2 texel) {
 }
 
 void main() {
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 texel = listedTexel();
     if (any(greaterThanEqual(texel, imageSize(depth)))) return;
     float z = texelFetch(filled, texel, 0).x;
     float behind = texelFetch(claims, texel, 0).x;
@@ -44,6 +47,12 @@ void main() {
     }
     float standing = orBackdrop(behind > 0.0 ? behind : z > 0.0 ? z : guessed);
     if (isBackdrop(standing)) shown = backdropColor(texel);
-    imageStore(depth, texel, vec4(standing));
-    imageStore(color, texel, vec4(shown, 1.0));
+    if (imageLoad(depth, texel).x != standing) {
+        imageStore(depth, texel, vec4(standing));
+        imageStore(changedDepth, listedBlock(), uvec4(1u));
+    }
+    vec3 levels = round(shown * 255.0);
+    if (round(imageLoad(color, texel).rgb * 255.0) == levels) return;
+    imageStore(color, texel, vec4(levels / 255.0, 1.0));
+    imageStore(changedColor, listedBlock(), uvec4(1u));
 }

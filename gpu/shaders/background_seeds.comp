@@ -6,9 +6,10 @@
 #include "mesh_block.glsl"
 #include "camera.glsl"
 #include "cyclopean_grid.glsl"
+#include "listed_blocks.glsl"
 #include "background_memory.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D measured;
 layout(binding = 4) uniform sampler2D filled;
@@ -16,7 +17,8 @@ layout(binding = 1) uniform sampler2D claims;
 layout(binding = 2) uniform sampler2D guide; // 1/m
 layout(binding = 3) uniform sampler2D colorImage;
 layout(binding = 7) uniform sampler2D guideMean; // 1/m, one texel
-layout(rgba32f, binding = 0) uniform writeonly image2D seeds;
+layout(rgba32f, binding = 0) uniform image2D seeds;
+layout(r8ui, binding = 1) uniform writeonly uimage2D changed;
 
 layout(std140, binding = 3) uniform FillBlock {
     ivec4 reach; // .z: texels beside an edge
@@ -44,7 +46,7 @@ bool isBesideNearer(ivec2 texel, float z) {
 }
 
 void main() {
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 texel = listedTexel();
     if (any(greaterThanEqual(texel, imageSize(seeds)))) return;
     vec2 source = sourceFromPanel(panelFromTexel(vec2(texel)));
     float z = texelFetch(filled, texel, 0).x;
@@ -55,5 +57,7 @@ void main() {
     known = known && !isBackdrop(z) && !(guessed && isBesideNearer(texel, z));
     vec4 seed = known ? vec4(texture(colorImage, source).rgb, 1.0) * weightAt(z) : vec4(0.0);
     if (isRemembered(texel, z)) seed = vec4(texelFetch(memoryColor, texel, 0).rgb, 1.0);
+    if (imageLoad(seeds, texel) == seed) return;
     imageStore(seeds, texel, seed);
+    imageStore(changed, listedBlock(), uvec4(1u));
 }

@@ -6,11 +6,13 @@
 // no longer lets marked ones speak for a neighbour, so that short rows of them go from their ends.
 #include "condition_block.glsl"
 #include "condition_tally.glsl"
+#include "listed_blocks.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform usampler2D measured;
 layout(r32ui, binding = 0) uniform writeonly uimage2D marked;
+layout(r8ui, binding = 1) uniform writeonly uimage2D flying; // blocks with any
 
 const uint kEnough = 2u; // neighbours on the same surface
 
@@ -39,12 +41,13 @@ bool flies(ivec2 pixel, uint own) {
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = listedTexel();
     if (any(greaterThanEqual(pixel, imageSize(marked)))) return;
     uint own = texelFetch(measured, pixel, 0).x;
     if (isUsable(own) && flies(pixel, own)) {
         own |= kFlying;
         tally(kFlyingRemoved);
+        imageStore(flying, listedBlock(), uvec4(1u));
     }
     imageStore(marked, pixel, uvec4(own));
 }

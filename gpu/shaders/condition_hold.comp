@@ -9,9 +9,10 @@ layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(binding = 0) uniform usampler2D measured;
 layout(binding = 1) uniform usampler2D before; // held, 1/256 counts; frames; mean residual; sigma
-layout(r32ui, binding = 0) uniform writeonly uimage2D calm;
+layout(r32ui, binding = 0) uniform uimage2D calm;
 layout(rgba32ui, binding = 1) uniform writeonly uimage2D after;
 layout(r8ui, binding = 2) uniform uimage2D waited; // frames without a measurement
+layout(r8ui, binding = 3) uniform writeonly uimage2D changed; // blocks of 8 x 8 of `calm`
 
 const int kResidualShift = 4; // the mean residual forgets in 2^4 frames
 const int kReach = 2;         // pixels: what misses a measurement seldom misses it alone
@@ -120,7 +121,11 @@ void main() {
     } else {
         held = isUsable(now) ? update(held, now) : uvec4(0u);
     }
-    imageStore(calm, pixel, uvec4(held.y > 0u ? heldPixel(held) : 0u));
+    uint shown = held.y > 0u ? heldPixel(held) : 0u;
+    if (imageLoad(calm, pixel).x != shown) {
+        imageStore(calm, pixel, uvec4(shown));
+        imageStore(changed, pixel / 8, uvec4(1u));
+    }
     imageStore(after, pixel, held);
     imageStore(waited, pixel, uvec4(frames));
 }

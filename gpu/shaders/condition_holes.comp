@@ -4,12 +4,14 @@
 // such line speaking; where none are, the hole lies at an edge, and the farther end goes on, because
 // a near surface drawn too wide hides what the farther one would show. Two surfaces are never mixed.
 #include "condition_block.glsl"
-#include "condition_tally.glsl"
+#include "condition_fills.glsl"
+#include "listed_blocks.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform usampler2D measured;
-layout(r16ui, binding = 0) uniform writeonly uimage2D clean;
+layout(r16ui, binding = 0) uniform uimage2D clean;
+layout(r8ui, binding = 1) uniform writeonly uimage2D changed;
 
 const ivec2 kLines[4] = ivec2[](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(1, -1));
 const int kWidest = 8; // bounds the loop whatever the block says
@@ -46,10 +48,12 @@ uint fill(ivec2 pixel) {
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = listedTexel();
     if (any(greaterThanEqual(pixel, imageSize(clean)))) return;
     uint own = texelFetch(measured, pixel, 0).x;
     uint count = isUsable(own) ? countOf(own) : fill(pixel);
-    if (!isUsable(own)) tally(count > 0u ? kFilled : kHoles);
+    if (!isUsable(own)) atomicAdd(fills[2u * blocks[gl_WorkGroupID.x] + (count > 0u ? 0u : 1u)], 1u);
+    if (imageLoad(clean, pixel).x == count) return;
     imageStore(clean, pixel, uvec4(count));
+    imageStore(changed, listedBlock(), uvec4(1u));
 }

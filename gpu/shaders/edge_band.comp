@@ -4,18 +4,21 @@
 #include "mesh_block.glsl"
 #include "camera.glsl"
 #include "cyclopean_grid.glsl"
+#include "listed_blocks.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D measured; // m; 0: none
-layout(r32f, binding = 0) uniform writeonly image2D sure;
+layout(r32f, binding = 0) uniform image2D sure;
+layout(r8ui, binding = 1) uniform writeonly uimage2D changed;
+layout(r8ui, binding = 2) uniform writeonly uimage2D unsure; // blocks for fill_holes.comp
 
 layout(std140, binding = 3) uniform FillBlock {
     ivec4 reach; // .w: half the band's width, texels
 };
 
 void main() {
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 texel = listedTexel();
     ivec2 size = imageSize(sure);
     if (any(greaterThanEqual(texel, size))) return;
     float z = texelFetch(measured, texel, 0).x;
@@ -30,5 +33,11 @@ void main() {
         }
     }
     bool beside = isBehind(farthest, z) || isBehind(z, nearest);
-    imageStore(sure, texel, vec4(beside ? 0.0 : z));
+    float kept = beside ? 0.0 : z;
+    bool isNew = imageLoad(sure, texel).x != kept;
+    if (isNew) {
+        imageStore(sure, texel, vec4(kept));
+        imageStore(changed, listedBlock(), uvec4(1u));
+    }
+    if (isNew || kept == 0.0) imageStore(unsure, listedBlock(), uvec4(1u));
 }

@@ -7,13 +7,16 @@
 #include "mesh_block.glsl"
 #include "camera.glsl"
 #include "cyclopean_grid.glsl"
+#include "listed_blocks.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D sure; // m; 0: none
 layout(binding = 2) uniform sampler2D measured;
 layout(binding = 1) uniform sampler2D colorImage;
-layout(r32f, binding = 0) uniform writeonly image2D filled;
+layout(r32f, binding = 0) uniform image2D filled;
+layout(r8ui, binding = 1) uniform writeonly uimage2D changed;
+layout(r8ui, binding = 2) uniform writeonly uimage2D changedScene;
 
 layout(std140, binding = 3) uniform FillBlock {
     ivec4 reach; // texels: farthest measurement used, how near an edge colours decide, -, unsure band
@@ -101,7 +104,7 @@ float fill(ivec2 texel, ivec2 size, vec3 own) {
 }
 
 void main() {
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 texel = listedTexel();
     ivec2 size = imageSize(filled);
     if (any(greaterThanEqual(texel, size))) return;
     float z = texelFetch(sure, texel, 0).x;
@@ -111,5 +114,9 @@ void main() {
     } else if (z == 0.0) {
         z = fill(texel, size, texture(colorImage, source).rgb);
     }
-    imageStore(filled, texel, vec4(orBackdrop(z)));
+    z = orBackdrop(z);
+    if (imageLoad(filled, texel).x == z) return;
+    imageStore(filled, texel, vec4(z));
+    imageStore(changed, listedBlock(), uvec4(1u));
+    imageStore(changedScene, listedBlock(), uvec4(1u));
 }

@@ -7,7 +7,16 @@
 #include "color_camera.glsl"
 #include "disparity.glsl"
 
+#ifdef PLACES
 layout(local_size_x = 16, local_size_y = 16) in;
+
+ivec2 ownNode() { return ivec2(gl_GlobalInvocationID.xy); }
+#else
+#include "listed_blocks.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+
+ivec2 ownNode() { return listedTexel(); }
+#endif
 
 layout(binding = 0) uniform sampler2D rays; // x/z, y/z of each depth pixel
 layout(binding = 1) uniform usampler2D depthCounts;
@@ -21,7 +30,7 @@ layout(rg32f, binding = 1) uniform writeonly image2D sources;  // texture coordi
 #endif
 
 void main() {
-    ivec2 node = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 node = ownNode();
     if (any(greaterThanEqual(node, imageSize(NODES)))) return;
     uint count = texelFetch(depthCounts, node, 0).x;
     vec2 ray = texelFetch(rays, node, 0).xy;

@@ -7,13 +7,15 @@
 #include "cyclopean_grid.glsl"
 #include "layer_corner.glsl"
 #include "layer_search.glsl"
+#include "listed_blocks.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler2D filled;
 layout(binding = 1) uniform sampler2D background;
 layout(rgba32f, binding = 0) uniform image2D quads; // top left, right, bottom left, right
 layout(r8ui, binding = 1) uniform writeonly uimage2D changed;
+layout(r8ui, binding = 2) uniform writeonly uimage2D changedBlocks;
 
 vec4 sceneCorners(ivec2 texel, float own) {
     if (own == 0.0 || isBackdrop(own)) return vec4(kNoSurface);
@@ -34,10 +36,11 @@ void keep(ivec2 place, vec4 corners) {
     if (imageLoad(quads, place) == corners) return;
     imageStore(quads, place, corners);
     imageStore(changed, ivec2(place.x / kBlock, place.y), uvec4(1u));
+    imageStore(changedBlocks, listedBlock(), uvec4(1u));
 }
 
 void main() {
-    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 texel = listedTexel();
     ivec2 size = textureSize(filled, 0);
     if (any(greaterThanEqual(texel, size))) return;
     keep(texel, sceneCorners(texel, texelFetch(filled, texel, 0).x));

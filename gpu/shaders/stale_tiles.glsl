@@ -1,9 +1,9 @@
-// Squares of the panel that have to be searched anew: an indirect draw of one square each.
-const int kTile = 32; // pixels
+// Pieces of the panel that have to be filled anew: an indirect draw of one rectangle each. Wide, as
+// what changes reaches along rows.
+const ivec2 kTile = ivec2(64, 16); // pixels
 
-layout(std430, binding = 2) buffer StaleTiles {
-    uint vertices, squares, firstVertex, firstSquare;
-    uint staleSquares[]; // row by row from the top left, in squares
+struct TileList {
+    uint vertices, tiles, firstVertex, firstTile;
 };
 
-int tilesAcross(int width) { return (width + kTile - 1) / kTile; }
+int tilesAcross(int width) { return (width + kTile.x - 1) / kTile.x; }

@@ -6,7 +6,7 @@ namespace autostereo::gpu {
 
 DirectSynthesis::DirectSynthesis(const PipelineParams& params, const calib::DisplayProfile& display,
                                  int panelWidth, int panelHeight)
-    : positions_(makeViewPositions(display)) {
+    : skips_(params.skipUnchanged), positions_(makeViewPositions(display)) {
     const calib::PanelMap map = calib::panelMap(display, panelWidth, panelHeight);
     SearchParams search = searchParams(display, map, params.synthesis.positions);
     const auto* views = std::get_if<calib::ViewMap>(&map);
@@ -18,10 +18,18 @@ DirectSynthesis::DirectSynthesis(const PipelineParams& params, const calib::Disp
                         {TileFilter::Linear, ViewFilter::Nearest, display.fringe, search});
 }
 
-void DirectSynthesis::prepare(const CyclopeanScene& scene) { search_.build(scene); }
+void DirectSynthesis::prepare(const CyclopeanScene& scene) {
+    search_.build(scene);
+    if (!skips_) search_.markAll();
+    ++prepared_;
+}
 
 void DirectSynthesis::show(const CyclopeanScene& scene, GLuint panel) {
-    if (kept_) kept_->findStale(search_);
+    if (kept_) {
+        const bool isKnown = skips_ && scene.changes != nullptr && prepared_ <= 1;
+        kept_->findStale(search_, isKnown ? &scene.changes->color : nullptr);
+        prepared_ = 0;
+    }
     search_.bind();
     glBindTextureUnit(11, scene.color.name());
     glBindTextureUnit(12, scene.backgroundColor.name());
@@ -32,7 +40,7 @@ void DirectSynthesis::show(const CyclopeanScene& scene, GLuint panel) {
     search_.forgetChanges();
 }
 
-std::optional<double> DirectSynthesis::keptShare() const {
+std::optional<KeptShare> DirectSynthesis::keptShare() const {
     return kept_ ? kept_->keptShare() : std::nullopt;
 }
 

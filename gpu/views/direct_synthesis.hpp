@@ -17,11 +17,13 @@ class DirectSynthesis final : public ViewSynthesis {
                     int panelWidth, int panelHeight);
     void prepare(const CyclopeanScene& scene) override;
     void show(const CyclopeanScene& scene, GLuint panel) override;
-    [[nodiscard]] std::optional<double> keptShare() const override;
+    [[nodiscard]] std::optional<KeptShare> keptShare() const override;
 
   private:
     LayerSearch search_;
     std::optional<KeptRoots> kept_;
+    bool skips_;
+    int prepared_ = 2; ///< scenes since the last one that was shown; at first unknown
     gl::Texture positions_;
     std::unique_ptr<Interleaver> interleaver_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/dirty/block_lister.hpp"
 #include "gpu/fusion/cyclopean_scene.hpp"
 #include "gpu/gl/program.hpp"
 
@@ -18,19 +19,25 @@ class LayerSearch {
     LayerSearch();
     void build(const CyclopeanScene& scene);
     /// What changed from here on counts as new; before, changes add up from build to build.
-    void forgetChanges();
+    void forgetChanges() const;
+    /// Whatever was there counts as changed.
+    void markAll() const;
     /// For shaders/first_hit.glsl.
     void bind() const;
 
     [[nodiscard]] const gl::Texture& quads() const { return quads_; }
     /// R8UI, a texel a block, scene above background: not 0 where any corner is another one.
     [[nodiscard]] const gl::Texture& changed() const { return changed_; }
+    /// The same of both layers together, of 8 x 8 texels.
+    [[nodiscard]] const BlockMarks& changedBlocks() const { return changedBlocks_; }
 
   private:
     void resize(int columns, int rows);
-    void markBlocks(std::uint8_t mark) const;
 
     gl::Program corners_, blocks_;
+    BlockLister lister_;
+    BlockList stale_;
+    BlockMarks changedBlocks_;
     gl::Texture quads_; ///< RGBA32F: disparity of a texel's corners; scene, background
     gl::Texture tops_;  ///< R32F: the nearest in each block
     gl::Texture changed_;

@@ -5,6 +5,7 @@
 #include "gpu/atlas.hpp"
 #include "gpu/fusion/cyclopean_scene.hpp"
 #include "gpu/params.hpp"
+#include "gpu/views/kept_share.hpp"
 
 #include <memory>
 #include <optional>
@@ -24,8 +25,8 @@ class ViewSynthesis {
     virtual void setEyes(const calib::EyePair& /*eyes*/) {}
     /// Every view in a tile of its own; none where views are never drawn.
     [[nodiscard]] virtual const Atlas* atlas() const { return nullptr; }
-    /// Share of the panel that needed no search, mean over frames; none where nothing is searched.
-    [[nodiscard]] virtual std::optional<double> keptShare() const { return std::nullopt; }
+    /// What of the panel needed no work; none where nothing is searched.
+    [[nodiscard]] virtual std::optional<KeptShare> keptShare() const { return std::nullopt; }
 };
 
 /// For a panel of the given size. `method` as in params, but a display that makes its views itself

@@ -105,5 +105,11 @@ TEST_F(BlocksGlTest, EyeBlock) {
     EXPECT_EQ(offsetOf(camera, "offset"), offsetof(gpu::EyeBlock, eye));
 }
 
+TEST_F(BlocksGlTest, ListBlock) {
+    const gpu::gl::Program program({"list_blocks.comp"});
+    EXPECT_EQ(offsetOf(program, "reach[0]"), offsetof(gpu::ListBlock, reach));
+    EXPECT_EQ(offsetOf(program, "size"), offsetof(gpu::ListBlock, size));
+}
+
 } // namespace
 } // namespace autostereo::test

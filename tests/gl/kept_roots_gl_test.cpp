@@ -41,7 +41,7 @@ class Twins {
         }
     }
     /// Of the frames so far but the last few, whose counters are under way.
-    [[nodiscard]] double keptShare() const { return keeping_.keptShare().value(); }
+    [[nodiscard]] double keptShare() const { return keeping_.keptShare().value().search; }
 
   private:
     static gpu::PipelineParams params(gpu::ViewPositions positions, bool keep) {

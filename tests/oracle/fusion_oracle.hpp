@@ -222,6 +222,9 @@ inline Grid<Claim> claimsOf(const FusionInput& in, const DepthGrid& depth) {
 /// Premultiplied values and, last, their weight.
 using Weighted = std::array<double, 4>;
 
+/// What is spread comes in these steps, so that what changes far off changes nothing.
+inline double inSteps(double value) { return std::nearbyint(value * 4096) / 4096; }
+
 /// Values everywhere from weighted seeds, by a pyramid of binomial means; on so many levels a fifth
 /// of the weight is as good as all. `mean`: of the coarsest level.
 inline Grid<Weighted> pullPush(Grid<Weighted> fine, int sharpLevels, Weighted& mean) {
@@ -258,16 +261,18 @@ inline Grid<Weighted> pullPush(Grid<Weighted> fine, int sharpLevels, Weighted& m
                 Weighted& own = fine.at(x, y);
                 const double lacking = 1 - own[3];
                 for (std::size_t k = 0; k < 4; ++k)
-                    own[k] += lacking *
-                              ((1 - q) * ((1 - p) * clamped(i, j)[k] + p * clamped(i + 1, j)[k]) +
-                               q * ((1 - p) * clamped(i, j + 1)[k] + p * clamped(i + 1, j + 1)[k]));
+                    own[k] = inSteps(
+                        own[k] +
+                        lacking *
+                            ((1 - q) * ((1 - p) * clamped(i, j)[k] + p * clamped(i + 1, j)[k]) +
+                             q * ((1 - p) * clamped(i, j + 1)[k] + p * clamped(i + 1, j + 1)[k])));
             }
         return fine;
     }
     Weighted& only = fine.at(0, 0);
     const double weight = only[3];
     for (std::size_t k = 0; k < 4; ++k)
-        only[k] = weight > 0 ? only[k] / weight : 0;
+        only[k] = weight > 0 ? inSteps(only[k] / weight) : 0;
     mean = only;
     return fine;
 }

@@ -112,6 +112,8 @@ void expectSame(const Config& a, const Config& b) {
     EXPECT_EQ(a.pipeline.backdrop.pixels, b.pipeline.backdrop.pixels);
     EXPECT_EQ(a.pipeline.synthesis.method, b.pipeline.synthesis.method);
     EXPECT_EQ(a.pipeline.synthesis.filter, b.pipeline.synthesis.filter);
+    EXPECT_EQ(a.pipeline.skipUnchanged, b.pipeline.skipUnchanged);
+    EXPECT_EQ(a.pipeline.color.sigma, b.pipeline.color.sigma);
     EXPECT_EQ(a.pipeline.clearColor, b.pipeline.clearColor);
     EXPECT_EQ(a.log.level, b.log.level);
     expectSameService(a, b);
@@ -158,6 +160,8 @@ settle_frames = 8
 keep_frames = 0
 fill_holes = false
 hole_width = 5
+[color]
+noise_levels = 2.5
 [mesh]
 nearest_m = 0.3
 farthest_m = 4
@@ -185,6 +189,7 @@ backdrop_color = [0, 1, 0.2]
 [synthesis]
 method = "multipass"
 filter = "nearest"
+skip_unchanged = false
 [picture]
 clear_color = [0.1, 0, 1]
 brightness = 0.25
@@ -246,6 +251,8 @@ level = "trace"
     expected.pipeline.framing = {3, true, 2, {-0.5, 1}};
     expected.pipeline.backdrop = {2.5, 1, 1, {0, 255, 51, 255}};
     expected.pipeline.synthesis = {gpu::Method::Multipass, gpu::TileFilter::Nearest};
+    expected.pipeline.skipUnchanged = false;
+    expected.pipeline.color.sigma = 2.5;
     expected.pipeline.clearColor = {0.1, 0, 1};
     expected.wait = true;
     expected.brightness = 0.25;

@@ -39,6 +39,8 @@ Report exampleReport() {
     report.seconds = 4;
     report.recording = devices::Recorder::Counters{9, 1, 123456, ""};
     report.keptShare = 0.75;
+    report.keptPicture = 0.5;
+    report.keptColor = 0.25;
     return report;
 }
 
@@ -90,6 +92,9 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
         "depth": {"focus_m": 1.25, "scale": 0.5, "clamped_share": 0.125},
         "recording": {"written": 9, "left_out": 1, "bytes": 123456, "error": ""},
         "search_kept_share": 0.75,
+        "picture_kept_share": 0.5,
+        "fusion_kept_share": null,
+        "color_kept_share": 0.25,
         "stages": {
             "upload": {"p50_ms": 50.0, "p99_ms": 99.0},
             "mesh": {"p50_ms": null, "p99_ms": null}
