@@ -29,7 +29,7 @@ std::vector<std::string> variant(const calib::ViewMap& map, const InterleaverPar
 
 ViewInterleaver::ViewInterleaver(const calib::ViewMap& map, const InterleaverParams& params)
     : pass_("view_interleaver.frag", variant(map, params), map.tables.width, map.tables.height,
-            params.search && (params.search->rootsOnly || params.search->squaresOnly)
+            params.search && (params.search->rootsOnly || params.search->tilesOnly)
                 ? Cover::StaleTiles
                 : Cover::Panel),
       grid_(map.tables.grid) {

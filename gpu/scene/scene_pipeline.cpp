@@ -43,10 +43,16 @@ ScenePipeline::Disparity::Disparity(int width, int height)
       texture(GL_R32F, width, height), depth(GL_DEPTH_COMPONENT32F, width, height),
       framebuffer(gl::makeFramebuffer(texture, &depth)) {}
 
-Method sceneMethod(Method wanted, SceneShading shading, const calib::DisplayProfile& display) {
+Method sceneMethod(Method wanted, SceneShading shading, const calib::DisplayProfile& display,
+                   std::size_t triangles) {
+    constexpr double kWorthSearching = 1.5e6;
+    if (wanted == Method::Auto)
+        wanted = static_cast<double>(triangles) * display.views < kWorthSearching
+                     ? Method::Instanced
+                     : Method::Direct;
     const bool isDeferred = wanted == Method::Hybrid || wanted == Method::Direct;
     const bool makesViews = std::holds_alternative<calib::DepthFrame>(display.law);
-    if (wanted == Method::Auto || (isDeferred && shading == SceneShading::PerVertex) ||
+    if ((isDeferred && shading == SceneShading::PerVertex) ||
         (wanted == Method::Direct && makesViews))
         return Method::Instanced;
     return wanted;
@@ -59,7 +65,8 @@ ScenePipeline::ScenePipeline(const devices::mesh::MeshScene& scene, const SceneP
       placement_(scenePlacement(extent(scene, uprightTurn(look.up)), look, display,
                                 static_cast<double>(panelWidth) / panelHeight)),
       block_(blockOf(look, placement_, display, static_cast<double>(panelWidth) / panelHeight)),
-      model_(scene), method_(sceneMethod(params.synthesis.method, look.shading, display)) {
+      model_(scene),
+      method_(sceneMethod(params.synthesis.method, look.shading, display, scene.triangles())) {
     makeMethod(panelWidth, panelHeight);
     if (!std::holds_alternative<calib::DepthFrame>(display.law)) return;
     const calib::QuiltLayout& tiles = atlas_->layout().quilt;
@@ -95,8 +102,8 @@ SearchParams ScenePipeline::prepareSearch(const calib::PanelMap& map, int width,
     search.scene = look_.shading;
     // Before black a sub-pixel without anything is black, whatever else it may be.
     const auto* views = std::get_if<calib::ViewMap>(&map);
-    search.squaresOnly = views != nullptr && params_.clearColor == std::array<double, 3>{};
-    if (search.squaresOnly) squares_.emplace(width, height, search, views->upsideDown);
+    search.tilesOnly = views != nullptr && params_.clearColor == std::array<double, 3>{};
+    if (search.tilesOnly) tiles_.emplace(width, height, search, views->upsideDown);
     return search;
 }
 
@@ -126,9 +133,9 @@ void ScenePipeline::bindSearch(GLuint panel) {
     uniforms_.bind(7, block_);
     glBindTextureUnit(10, positions_.name());
     glBindTextureUnit(11, model_.parts().name());
-    if (!squares_) return;
+    if (!tiles_) return;
     LayerDrawer::clear(panel, params_.clearColor);
-    squares_->list();
+    tiles_->list();
 }
 
 void ScenePipeline::show(GLuint panel) {

@@ -3,7 +3,7 @@
 #include "gpu/interleaver.hpp"
 #include "gpu/readback.hpp"
 #include "gpu/scene/scene_reprojection.hpp"
-#include "gpu/scene/scene_squares.hpp"
+#include "gpu/scene/scene_tiles.hpp"
 #include "gpu/scene/scene_views.hpp"
 
 #include <memory>
@@ -59,7 +59,7 @@ class ScenePipeline {
     std::optional<SceneSurfaces> surfaces_;
     std::optional<SceneReprojection> reprojection_; ///< hybrid
     gl::Texture positions_;                         ///< direct
-    std::optional<SceneSquares> squares_;           ///< direct, before black
+    std::optional<SceneTiles> tiles_;               ///< direct, before black
     std::optional<Atlas> atlas_;
     /// For displays that make their views themselves: R32F, panel widths.
     struct Disparity {
@@ -73,10 +73,11 @@ class ScenePipeline {
     std::unique_ptr<Interleaver> interleaver_;
 };
 
-/// How a scene is drawn for which `wanted` is asked: so, but as instanced for auto, for light at
-/// vertices, which hybrid and direct cannot put off, and for direct on displays that make their
-/// views themselves.
+/// How a scene of so many triangles is drawn for which `wanted` is asked: so, but as instanced for
+/// light at vertices, which hybrid and direct cannot put off, and for direct on displays that make
+/// their views themselves. Auto: direct from 1.5 million triangles times views on (below, drawing
+/// every view is quicker: gpu/README), else instanced.
 [[nodiscard]] Method sceneMethod(Method wanted, SceneShading shading,
-                                 const calib::DisplayProfile& display);
+                                 const calib::DisplayProfile& display, std::size_t triangles);
 
 } // namespace autostereo::gpu

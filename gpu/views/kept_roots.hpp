@@ -3,6 +3,7 @@
 #include "gpu/gl/counter_ring.hpp"
 #include "gpu/gl/program.hpp"
 #include "gpu/panel_pass.hpp"
+#include "gpu/panel_tiles.hpp"
 #include "gpu/views/kept_share.hpp"
 #include "gpu/views/layer_search.hpp"
 
@@ -29,17 +30,15 @@ class KeptRoots {
 
   private:
     void takeCounts();
-    void clearLists() const;
 
-    int tilesAcross_, tilesDown_;
     gl::Program tiles_;
     PanelPass colors_;
     gl::Texture roots_; ///< RG32UI, a texel a pixel
     gl::Framebuffer target_;
     gl::Texture picture_; ///< RGBA8
     gl::Framebuffer shown_;
-    gl::Texture everywhere_;          ///< marks all colours
-    gl::Buffer toSearch_, toRecolor_; ///< indirect draws, then one number a tile
+    gl::Texture everywhere_; ///< marks all colours
+    PanelTiles toSearch_, toRecolor_;
     gl::CounterRing counters_{2};
     std::uint64_t searched_ = 0, recolored_ = 0, frames_ = 0;
 };

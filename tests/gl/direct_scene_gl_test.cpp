@@ -56,7 +56,7 @@ TEST_F(DirectSceneGlTest, DirectSubPixelsShowWhatTheirOwnEyesSee) {
     }
 }
 
-/// Squares without anything are left out before black; before what is all but black none is.
+/// Tiles without anything are left out before black; before what is all but black none is.
 TEST_F(DirectSceneGlTest, DirectLeavesOutOnlyWhatShowsNothing) {
     if (IsSkipped()) return;
     const gpu::RgbImage some = panelBy(gpu::Method::Direct);

@@ -114,8 +114,8 @@ std::vector<Variant> scenes() {
                         {"SEARCH", "SURFACES", "PER_PIXEL", "UPSIDE_DOWN"}});
     variants.push_back({{"full_screen.vert", "scene_reproject.frag"}, {}});
     variants.push_back({{"scene_peaks.comp"}, {}});
-    variants.push_back({{"scene_squares.comp"}, {}});
-    variants.push_back({{"scene_squares.comp"}, {"UPSIDE_DOWN"}});
+    variants.push_back({{"scene_tiles.comp"}, {}});
+    variants.push_back({{"scene_tiles.comp"}, {"UPSIDE_DOWN"}});
     return variants;
 }
 

@@ -1,27 +1,26 @@
 #pragma once
 
 #include "gpu/panel_pass.hpp"
+#include "gpu/panel_tiles.hpp"
 #include "gpu/scene/scene_surfaces.hpp"
 
 namespace autostereo::gpu {
 
-/// Which squares of the panel show anything of a scene, by its reference viewpoints, as an indirect
-/// draw of them (Cover::StaleTiles); what is left out shows what is behind everything.
-/// Thread-bound.
-class SceneSquares {
+/// Which tiles of the panel show anything of a scene, by its reference viewpoints; what is left out
+/// shows what is behind everything. Thread-bound.
+class SceneTiles {
   public:
     /// Throws GlError.
-    SceneSquares(int panelWidth, int panelHeight, const SearchParams& search, bool upsideDown);
+    SceneTiles(int panelWidth, int panelHeight, const SearchParams& search, bool upsideDown);
 
     /// Lists them and binds the list for the next draw. Needs what `surfaces` drew bound.
     void list();
 
   private:
-    int across_, down_;
     gl::Program program_;
     InterleaverBlock block_;
     gl::UniformBuffer<InterleaverBlock> uniforms_;
-    gl::Buffer squares_;
+    PanelTiles tiles_;
 };
 
 } // namespace autostereo::gpu

@@ -1,16 +1,21 @@
 #version 450 core
-// Lists the panel's squares in which any sub-pixel's ray may meet anything of a scene.
+// Lists the panel's tiles in which any sub-pixel's ray may meet anything of a scene.
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "interleaver_block.glsl"
 #include "scene_parts.glsl"
 #include "scene_surfaces.glsl"
 #include "stale_tiles.glsl"
 
+layout(std430, binding = 2) buffer DrawnTiles {
+    TileList drawn;
+    uint drawnTiles[]; // row by row from the top left
+};
+
 void main() {
-    ivec2 square = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(square * kTile, panel.xy))) return;
+    ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(tile * kTile, panel.xy))) return;
     // With the red and the blue sub-pixel beside the outermost pixels' centres.
-    vec2 low = vec2(square * kTile) * fine.xy, high = low + float(kTile) * fine.xy;
+    vec2 low = vec2(tile * kTile) * fine.xy, high = low + vec2(kTile) * fine.xy;
 #ifdef UPSIDE_DOWN
     float lower = 1.0 - high.y;
     high.y = 1.0 - low.y;
@@ -32,5 +37,5 @@ void main() {
             for (int x = from.x; x <= to.x; ++x)
                 nearest = max(nearest, texelFetch(peaks, ivec3(x, y, reference), 0).x);
     if (nearest <= span.y) return;
-    staleSquares[atomicAdd(squares, 1u)] = uint(square.y * tilesAcross(panel.x) + square.x);
+    drawnTiles[atomicAdd(drawn.tiles, 1u)] = uint(tile.y * tilesAcross(panel.x) + tile.x);
 }
