@@ -42,8 +42,10 @@ void readNoise(TomlReader& table, calib::DepthNoise& noise) {
     noise.growthPerM = millimetres("noise_growth_mm", {0, 1000}, noise.growthPerM);
 }
 
-void readCondition(TomlReader& root, gpu::ConditionParams& params) {
+void readCondition(TomlReader& root, gpu::PipelineParams& pipeline) {
     auto table = root.table("condition");
+    gpu::ConditionParams& params = pipeline.condition;
+    pipeline.color.sigma = table.number("color_noise_levels", {0, 20}, pipeline.color.sigma);
     params.validity = table.boolean("validity", params.validity);
     params.weakestAmplitude =
         table.integer("weakest_amplitude", {0, 65534}, params.weakestAmplitude);
@@ -86,10 +88,7 @@ void readSynthesis(TomlReader& root, gpu::PipelineParams& pipeline) {
 }
 
 void readPipeline(TomlReader& root, gpu::PipelineParams& params) {
-    readCondition(root, params.condition);
-    auto color = root.table("color");
-    params.color.sigma = color.number("noise_levels", {0, 20}, params.color.sigma);
-
+    readCondition(root, params);
     auto mesh = root.table("mesh");
     params.mesh.nearestM = mesh.number("nearest_m", {0.01, 10}, params.mesh.nearestM);
     params.mesh.farthestM = mesh.number("farthest_m", {0.1, 100}, params.mesh.farthestM);

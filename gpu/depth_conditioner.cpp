@@ -181,10 +181,10 @@ void DepthConditioner::fillHoles(const gl::Texture& measured, bool everything) {
 
 std::uint64_t DepthConditioner::restsAfter() const {
     // A mean residual of 16 bits that forgets in 16 frames (condition_hold) is nothing then.
-    constexpr int kResidualFrames = 192;
+    constexpr std::uint64_t kResidualFrames = 192;
     if (!params_.hold) return 1;
-    return static_cast<std::uint64_t>(params_.keepFrames + 2 * params_.settleFrames +
-                                      kResidualFrames);
+    return static_cast<std::uint64_t>(params_.keepFrames) +
+           2 * static_cast<std::uint64_t>(params_.settleFrames) + kResidualFrames;
 }
 
 void DepthConditioner::takeTally() {

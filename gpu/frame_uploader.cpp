@@ -82,7 +82,8 @@ void FrameUploader::uploadMarks(const devices::FrameMetadata& form) {
         for (int v = std::max(y - 1, 0); v <= std::min(y + 1, down - 1); ++v)
             for (int u = std::max(x - 1, 0); u <= std::min(x + 1, across - 1); ++u)
                 marks[static_cast<std::size_t>(i)] |=
-                    hold_.renewed()[static_cast<std::size_t>(v * across + u)];
+                    hold_.renewed()[static_cast<std::size_t>(v) * static_cast<std::size_t>(across) +
+                                    static_cast<std::size_t>(u)];
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(colorMarks_.texture().name(), 0, 0, 0, across, down, GL_RED_INTEGER,

@@ -74,8 +74,8 @@ double edgeWidth(const GreyImage& image, const BoardView& view, const Board& boa
     return *middle;
 }
 
-ViewGate::ViewGate(Board board, int width, int height)
-    : board_(std::move(board)), width_(width), height_(height) {}
+ViewGate::ViewGate(const Board& board, int width, int height)
+    : board_(board), width_(width), height_(height) {}
 
 ViewGate::Verdict ViewGate::judge(const BoardView& view, double timeS, double edgeWidthPx) {
     const double allowed = kMoving * width_ * (timeS - lastS_);
@@ -125,9 +125,10 @@ bool ViewGate::isUnlike(const Pose& a, const Pose& b) {
 void ViewGate::note(const BoardView& view, const Pose& pose) {
     taken_.push_back(pose);
     for (const glm::dvec2& pixel : view.pixels) {
-        const int column = std::clamp(static_cast<int>(3 * pixel.x / width_), 0, 2),
-                  row = std::clamp(static_cast<int>(3 * pixel.y / height_), 0, 2);
-        cells_.at(static_cast<std::size_t>(3 * row + column)) = true;
+        const auto third = [](double place, int size) {
+            return static_cast<std::size_t>(std::clamp(static_cast<int>(3 * place / size), 0, 2));
+        };
+        cells_.at(3 * third(pixel.y, height_) + third(pixel.x, width_)) = true;
     }
 }
 

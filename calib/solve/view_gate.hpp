@@ -19,7 +19,7 @@ class ViewGate {
   public:
     enum class Verdict { Take, Moving, Blurred, SeenBefore };
 
-    ViewGate(Board board, int width, int height);
+    ViewGate(const Board& board, int width, int height);
 
     /// Of the next view, at a time of any clock, s; it counts as taken where the answer is Take.
     [[nodiscard]] Verdict judge(const BoardView& view, double timeS, double edgeWidthPx);

@@ -17,7 +17,8 @@ void BackgroundMemory::resize(int columns, int rows) {
     color_ = gl::Texture(GL_RGBA8, columns, rows);
     changed_.resize(columns, rows);
     list_.resize(columns, rows);
-    const auto blocks = static_cast<std::size_t>(list_.across() * list_.down());
+    const auto blocks =
+        static_cast<std::size_t>(list_.across()) * static_cast<std::size_t>(list_.down());
     tally_ = gl::makeBuffer(2 * kTallyBytes + blocks * sizeof(GLuint), nullptr, 0);
     forget();
 }

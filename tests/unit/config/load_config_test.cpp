@@ -160,8 +160,7 @@ settle_frames = 8
 keep_frames = 0
 fill_holes = false
 hole_width = 5
-[color]
-noise_levels = 2.5
+color_noise_levels = 2.5
 [mesh]
 nearest_m = 0.3
 farthest_m = 4
