@@ -49,7 +49,8 @@ class MovingPictures {
     void fill(std::vector<Texel>& texels, int columns, const Place& at, Value value) {
         for (int y = at.y; y < at.y + at.height; ++y)
             for (int x = at.x; x < at.x + at.width; ++x)
-                texels[static_cast<std::size_t>(y * columns + x)] = value(x);
+                texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+                       static_cast<std::size_t>(x)] = value(x);
     }
     /// A surface that faces the camera or is slanted, or nothing.
     void moveDepth() {

@@ -18,7 +18,8 @@ constexpr int kWidth = 640, kHeight = 480;
 BoardView seen(double x, double y, double square = 20, double lean = 1) {
     BoardView view;
     for (int id = 0; id < kBoard.corners(); ++id) {
-        const double column = id % kBoard.columns - 4, row = id / kBoard.columns - 2.5;
+        const int fromTop = id / kBoard.columns;
+        const double column = id % kBoard.columns - 4, row = fromTop - 2.5;
         const double wide = square * std::pow(lean, -row / 5);
         view.ids.push_back(id);
         view.pixels.emplace_back(x + wide * column, y + square * row);

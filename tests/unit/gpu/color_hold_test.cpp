@@ -86,7 +86,7 @@ TEST_F(ColorHoldTest, AFaintThingInABlockIsSeen) {
     devices::Frame thing = frame(PixelFormat::Grey8, 100, 0);
     for (int y = 8; y < 16; ++y) // stripes: the mean is as before
         for (int x = 8; x < 16; ++x)
-            thing.pixels()[static_cast<std::size_t>(y * kWidth + x)] =
+            thing.pixels()[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)] =
                 static_cast<std::byte>(x % 2 == 0 ? 94 : 106);
     EXPECT_TRUE(hold.update(thing));
     EXPECT_EQ(std::ranges::count(hold.renewed(), std::uint8_t{1}), 1);
