@@ -119,9 +119,11 @@ TEST_F(Kinect2Test, ComesBackWheneverTheCameraIsPulled) {
     // While it is started, while it streams, and at any packet in between.
     std::uniform_int_distribution<int> delayMs(0, 700);
     const int rounds = fullCampaign() ? 1000 : 12;
+    // Two seconds where the kernel, the camera and both decoders have a processor; where they share
+    // it with other programs, as many times as a frame takes longer to decode just then.
+    constexpr double kLimitMs = 2000, kUsualDecodeMs = 13;
     std::vector<double> times;
     double memory = 0;
-    const double decodeBeforeMs = decodeMs();
     for (int round = 0; round < rounds; ++round) {
         std::this_thread::sleep_for(std::chrono::milliseconds(delayMs(random)));
         if (round % 3 == 2) { // at a packet, not between two
@@ -140,18 +142,16 @@ TEST_F(Kinect2Test, ComesBackWheneverTheCameraIsPulled) {
         feed.drain();
         const auto time = feed.nextPair(30s);
         ASSERT_TRUE(time) << "round " << round;
-        times.push_back(static_cast<double>(time->count()));
+        const double slower = std::max(1.0, decodeMs() / kUsualDecodeMs);
+        times.push_back(static_cast<double>(time->count()) / slower);
         if (round == 2) memory = residentMib();
     }
     std::ranges::sort(times);
     const double grown = residentMib() - memory;
-    std::printf("%d unplugs; back after %.0f ms (median), %.0f ms (most); memory %.0f MiB %+.1f\n",
+    std::printf("%d unplugs; back after %.0f ms (median), %.0f ms (most), on a machine of its own; "
+                "memory %.0f MiB %+.1f\n",
                 rounds, times[times.size() / 2], times.back(), memory, grown);
-    // Two seconds where the kernel, the camera and both decoders have a processor; where they share
-    // it with other programs, longer.
-    constexpr double kLimitMs = 2000, kUsualDecodeMs = 13;
-    const double slower = std::max({decodeBeforeMs, decodeMs(), kUsualDecodeMs}) / kUsualDecodeMs;
-    EXPECT_LE(times[times.size() / 2], kLimitMs * slower);
+    EXPECT_LE(times[times.size() / 2], kLimitMs);
     // Pools and decoders are made anew each time; what is leaked adds up.
     EXPECT_LE(grown, 40);
 }
