@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace autostereo::devices {
@@ -33,7 +35,7 @@ class FramePool::Slots final : public Frame::Owner {
             slot.fit(bytesNeeded(metadata));
             slot.busy.store(true, std::memory_order_relaxed);
             users_.fetch_add(1, std::memory_order_relaxed);
-            return Frame(*this, i, std::as_writable_bytes(std::span(slot.storage)), metadata);
+            return Frame(*this, i, slot.bytes(), metadata);
         }
         return std::nullopt;
     }
@@ -56,14 +58,23 @@ class FramePool::Slots final : public Frame::Owner {
   private:
     struct Slot {
         std::atomic<bool> busy{false};
-        std::vector<std::max_align_t> storage;
+        std::unique_ptr<std::max_align_t[]> storage;
+        std::size_t units = 0;
 
+        /// With an eighth more than is needed, untouched until it is: JPEGs that ride along differ
+        /// in size, and each longer one would cost fresh memory for the whole frame.
         void fit(std::size_t bytes) {
-            const std::size_t units =
+            const std::size_t needed =
                 (bytes + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
-            if (storage.size() >= units) return;
-            storage.clear(); // nothing to carry over to the bigger block
-            storage.resize(units);
+            if (units >= needed) return;
+            storage.reset(); // nothing to carry over to the bigger block
+            units = 0;
+            const std::size_t roomy = needed + needed / 8;
+            storage = std::make_unique_for_overwrite<std::max_align_t[]>(roomy);
+            units = roomy;
+        }
+        [[nodiscard]] std::span<std::byte> bytes() const {
+            return std::as_writable_bytes(std::span(storage.get(), units));
         }
     };
 

@@ -47,6 +47,7 @@ struct ExpectedPictures {
 /// A camera that can be plugged in.
 class Kinect2Test : public testing::Test {
   protected:
+    static void SetUpTestSuite();
     void SetUp() override {
         if (!usbip::Plug::possible()) GTEST_SKIP() << "no virtual USB ports: run in the guest";
     }

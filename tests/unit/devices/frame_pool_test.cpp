@@ -54,6 +54,20 @@ TEST(FramePool, HasRoomForEveryPlaneAndKeepsItsStorage) {
     EXPECT_EQ(small->pixels().size(), 8U * 8U * 2U);
 }
 
+TEST(FramePool, LongerEncodedPicturesNeedNoFreshMemory) {
+    FramePool pool(1);
+    FrameMetadata metadata = depthOf(1920, 1080);
+    const std::byte* first = nullptr;
+    for (const std::size_t encodedBytes : {200'000U, 210'000U, 300'000U}) {
+        metadata.encodedBytes = encodedBytes;
+        auto frame = pool.acquire(metadata);
+        ASSERT_TRUE(frame);
+        frame->encoded().back() = std::byte{1};
+        if (first == nullptr) first = frame->pixels().data();
+        EXPECT_EQ(frame->pixels().data(), first);
+    }
+}
+
 TEST(FramePool, FramesOutliveIt) {
     std::optional<Frame> frame;
     {
