@@ -9,5 +9,5 @@ trap 'rm -rf "$corpus"' EXIT
 "$build/tests/fuzz/fuzz_seeds" "$corpus" "$root" "${AUTOSTEREO_DATA:-$root/../shared/data}"
 "$build/tests/fuzz/${fuzzer}_fuzz" -seed=1 -max_len=8192 -rss_limit_mb=2048 -timeout=20 \
     -verbosity=0 -print_funcs=0 -print_final_stats=1 -artifact_prefix="$build/$fuzzer-" \
-    "${@:3}" "$corpus/$fuzzer" ||
+    "${@:3}" "$corpus/$fuzzer" 2>&1 | grep -vE '^"|^#{6} ' || # the words it found, a hundred lines
     { echo "$fuzzer: see above, and $build/$fuzzer-*"; exit 1; }
