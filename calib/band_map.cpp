@@ -30,6 +30,7 @@ LinearPhase lineScreenPhase(const LineScreen& screen, const DisplayProfile& disp
         across * (inner * firstX + parallax.x - shift) + up * (inner * firstY + parallax.y);
     for (std::size_t c = 0; c < 3; ++c)
         phase.channels[0][c] = across * inner * screen.subpixelOffsetsM[c];
+    phase.grid = screen.grid;
     return phase;
 }
 

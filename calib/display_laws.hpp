@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -40,8 +41,9 @@ enum class CellPattern { Single, Checkerboard, Columns, Staircase, Rows, FourRow
     return 0;
 }
 
-/// Local correction where the optical sheet is deformed: cycles at nodes that span the panel from
-/// corner to corner, row by row from the top, bilinear in between. Empty: none.
+/// Local correction where the optical sheet is deformed: cycles that a law adds to its phase, at
+/// nodes that span the panel's pixels from corner to corner, row by row from the top, bilinear in
+/// between. Empty: none.
 struct PhaseGrid {
     int columns = 0;
     int rows = 0;
@@ -56,7 +58,7 @@ struct LinearPhase {
     std::vector<std::array<double, 3>> channels{{0, 0, 0}}; ///< one per cell of the pattern
     double offset = 0;
     CellPattern pattern = CellPattern::Single;
-    PhaseGrid grid;
+    PhaseGrid grid{};
 };
 
 /// A slanted lens or slit over an RGB-stripe panel, in sub-pixels (van Berkel 1999; Eq. 11 of the
@@ -66,6 +68,7 @@ struct VanBerkelLens {
     double rowShiftSubpixels = 0; ///< 3 tan(alpha): the pattern moves right by this much per row
     double offsetSubpixels = 0;
     bool bgr = false;
+    PhaseGrid grid{};
 };
 
 /// Offsets of R, G, B from the pixel's centre, in pixels; y up.
@@ -84,6 +87,7 @@ struct LookingGlassCalibration {
     bool flipSubpixels = false;      ///< BGR stripe
     std::vector<SubpixelCell> cells; ///< third generation; empty: RGB stripe
     CellPattern pattern = CellPattern::Single;
+    PhaseGrid grid{};
 };
 
 /// CubeVi C1: view = floor(N fract((3 (x1 + y1 slope) + c + offset) / X)), x1 and y1 from 1.
@@ -91,6 +95,7 @@ struct CubeviCalibration {
     double subpixelsPerLens = 0; ///< vendor's lineNumber
     double slope = 0;            ///< vendor's obliquity
     double offsetSubpixels = 0;  ///< vendor's deviation
+    PhaseGrid grid{};
 };
 
 /// A small pattern of view numbers that repeats over the panel from the top left: rows of equal
@@ -131,6 +136,7 @@ struct LineScreen {
     Form form = Form::Exact;
     std::vector<glm::dvec3> eyes;   ///< display space, left to right; where nobody is tracked
     std::vector<Waveform> waveform; ///< none or one
+    PhaseGrid grid{};
 };
 
 /// Lenses with two tracked eyes, in pixels: for an eye e, phase = (x + c/3 - rowIncrement y -
@@ -143,7 +149,7 @@ struct TrackedLens {
     double fill = 0; ///< cycles
     double eyeGainPx = 0;
     double zBiasM = 0;
-    PhaseGrid grid;
+    PhaseGrid grid{};
 };
 
 /// The panel shows whole views side by side: half frames for other displays, quilts for players.
@@ -168,6 +174,18 @@ struct DepthFrame {
 using DisplayLaw =
     std::variant<LinearPhase, VanBerkelLens, LookingGlassCalibration, CubeviCalibration, ViewTable,
                  ViewLut, LineScreen, TrackedLens, TileFrame, DepthFrame>;
+
+/// The grid of those laws that have one.
+template<class Law> // DisplayLaw or const DisplayLaw
+[[nodiscard]] auto* phaseGrid(Law& law) {
+    using Grid = std::conditional_t<std::is_const_v<Law>, const PhaseGrid, PhaseGrid>;
+    return std::visit(
+        [](auto& known) -> Grid* {
+            if constexpr (requires { known.grid; }) return &known.grid;
+            return nullptr;
+        },
+        law);
+}
 
 /// The glass or the format decides how many views there are; else any number can be spread over
 /// its phase.

@@ -153,6 +153,16 @@ std::optional<Sheet> sheet(const DisplayProfile& display) {
     return std::nullopt;
 }
 
+/// A law corrects at the sub-pixel, which an eye in the nominal place sees through the lens there.
+void correct(LensArray& lenses, const DisplayProfile& display) {
+    const PhaseGrid* grid = phaseGrid(display.law);
+    if (grid == nullptr) return;
+    lenses.correction = turnedGrid(display, *grid);
+    const double pixel =
+        (1 - lenses.gapM / display.viewingDistanceM) * display.widthM / display.width;
+    lenses.correctedM = {pixel * (display.width - 1), pixel * (display.height - 1)};
+}
+
 LensArray lensesOf(const Sheet& sheet, const DisplayProfile& display) {
     const double distance = display.viewingDistanceM, period = sheet.lines.periodM;
     const Optics& optics = display.optics;
@@ -167,16 +177,7 @@ LensArray lensesOf(const Sheet& sheet, const DisplayProfile& display) {
     lenses.axisM = sheet.lines.axisM * scale;
     lenses.aperture = optics.aperture;
 
-    const auto* linear = std::get_if<LinearPhase>(&display.law);
-    const auto* tracked = std::get_if<TrackedLens>(&display.law);
-    if (linear != nullptr) lenses.correction = linear->grid;
-    if (tracked != nullptr) lenses.correction = tracked->grid;
-    // The law adds to its phase, which may fall along x where the coordinate rises.
-    if (linear != nullptr && linear->perColumn < 0)
-        for (double& node : lenses.correction.cycles)
-            node = -node;
-    const double pixel = scale * display.widthM / display.width;
-    lenses.correctedM = {pixel * (display.width - 1), pixel * (display.height - 1)};
+    correct(lenses, display);
     return lenses;
 }
 
@@ -225,6 +226,7 @@ DisplayOptics lineScreen(const DisplayProfile& display, const LineScreen& screen
     slits.axisM = screen.shiftM + pitch * (1 + screen.dutyCycle) / 2;
     slits.gapM = screen.thicknessM;
     slits.aperture = display.optics.aperture > 0 ? display.optics.aperture : 1 - screen.dutyCycle;
+    correct(slits, display);
     return {std::move(slits), subpixelsOf(display)};
 }
 
@@ -251,6 +253,20 @@ double correctionAt(const PhaseGrid& grid, double across, double down) {
 }
 
 } // namespace
+
+PhaseGrid turnedGrid(const DisplayProfile& display, PhaseGrid grid) {
+    const auto* linear = std::get_if<LinearPhase>(&display.law);
+    const auto* glass = std::get_if<LookingGlassCalibration>(&display.law);
+    if (glass != nullptr || (linear != nullptr && linear->perColumn < 0))
+        for (double& node : grid.cycles)
+            node = -node;
+    if (glass != nullptr && glass->flipImageY)
+        for (int upper = 0, lower = grid.rows - 1; upper < lower; ++upper, --lower)
+            std::swap_ranges(grid.cycles.begin() + upper * grid.columns,
+                             grid.cycles.begin() + (upper + 1) * grid.columns,
+                             grid.cycles.begin() + lower * grid.columns);
+    return grid;
+}
 
 double LensArray::coordinate(const glm::dvec3& eye, const glm::dvec2& panelPoint) const {
     const glm::dvec2 crossing = panelPoint + (glm::dvec2(eye) - panelPoint) * (gapM / eye.z);

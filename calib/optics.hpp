@@ -65,6 +65,10 @@ struct SubpixelLayout {
 /// one place. An RGB stripe where the maker's formula has no more to say.
 [[nodiscard]] std::optional<SubpixelLayout> subpixelLayout(const DisplayProfile& display);
 
+/// A display's phase grid as the correction of its lenses' coordinate, which rises along x where a
+/// law's phase may fall, from the panel's upper edge, where row 0 may be the lowest; and back.
+[[nodiscard]] PhaseGrid turnedGrid(const DisplayProfile& display, PhaseGrid grid);
+
 struct DisplayOptics {
     LensArray lenses;
     SubpixelLayout subpixels;

@@ -47,6 +47,7 @@ LinearPhase lookingGlassPhase(const LookingGlassCalibration& unit) {
     if (unit.flipSubpixels)
         for (auto& channels : phase.channels)
             std::swap(channels[0], channels[2]);
+    phase.grid = unit.grid;
     return phase;
 }
 
@@ -60,6 +61,7 @@ LinearPhase vanBerkelPhase(const VanBerkelLens& lens, int views) {
     phase.offset = lens.offsetSubpixels / period;
     if (const long steps = stepsPerCycle(lens); steps > 0)
         phase.offset += 0.5 / static_cast<double>(std::lcm(steps, long{views}));
+    phase.grid = lens.grid;
     return phase;
 }
 
@@ -70,6 +72,7 @@ LinearPhase cubeviPhase(const CubeviCalibration& unit) {
     phase.perRow = 3 * unit.slope / period;
     phase.channels = {{0, 1 / period, 2 / period}};
     phase.offset = (3 * (1 + unit.slope) + unit.offsetSubpixels) / period; // counts from 1
+    phase.grid = unit.grid;
     return phase;
 }
 

@@ -40,6 +40,9 @@ struct DisplayReader {
     std::string origin(std::string_view key);
 };
 
+/// [phase_grid], of any lens or barrier whose phase is affine; absent: empty.
+[[nodiscard]] calib::PhaseGrid readPhaseGrid(DisplayReader& display);
+
 // One reader per family of display laws, in read_*_laws.cpp.
 [[nodiscard]] calib::LinearPhase readLinear(DisplayReader& display);
 [[nodiscard]] calib::VanBerkelLens readVanBerkel(DisplayReader& display);

@@ -65,6 +65,7 @@ calib::LineScreen readLineScreen(DisplayReader& display) {
         screen.subpixelOffsetsM[c] = units::metresFromMm(offsets[c]);
     screen.eyes = readEyes(display, barrier, screen.thicknessM);
     screen.waveform = readWaveform(display.root);
+    screen.grid = readPhaseGrid(display);
     return screen;
 }
 

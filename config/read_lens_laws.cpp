@@ -30,18 +30,6 @@ void requireCells(TomlReader& lens, calib::CellPattern pattern, std::size_t give
         lens.reject("cells", *problem);
 }
 
-calib::PhaseGrid readGrid(DisplayReader& display) {
-    calib::PhaseGrid grid;
-    if (!display.root.has("phase_grid")) return grid;
-    auto table = display.root.table("phase_grid");
-    grid.columns = table.integer("columns", {1, 256});
-    grid.rows = table.integer("rows", {1, 256});
-    const double nodes = static_cast<double>(grid.columns) * grid.rows;
-    display.noteLensOrigin("cycles");
-    grid.cycles = table.numberList("cycles", {nodes, nodes}, {-1, 1});
-    return grid;
-}
-
 double slantTangent(DisplayReader& display, TomlReader& lens) {
     if (lens.has("slant_deg"))
         return std::tan(units::radiansFromDeg(display.lensNumber(lens, "slant_deg", {-60, 60})));
@@ -63,6 +51,18 @@ double opticalPeriod(DisplayReader& display, TomlReader& lens, double tangent) {
 
 } // namespace
 
+calib::PhaseGrid readPhaseGrid(DisplayReader& display) {
+    calib::PhaseGrid grid;
+    if (!display.root.has("phase_grid")) return grid;
+    auto table = display.root.table("phase_grid");
+    grid.columns = table.integer("columns", {1, 256});
+    grid.rows = table.integer("rows", {1, 256});
+    const double nodes = static_cast<double>(grid.columns) * grid.rows;
+    display.noteLensOrigin("cycles");
+    grid.cycles = table.numberList("cycles", {nodes, nodes}, {-1, 1});
+    return grid;
+}
+
 calib::LinearPhase readLinear(DisplayReader& display) {
     auto lens = display.root.table("lens");
     calib::LinearPhase phase;
@@ -83,7 +83,7 @@ calib::LinearPhase readLinear(DisplayReader& display) {
     if (lens.boolean("bgr", false))
         for (auto& channels : phase.channels)
             std::swap(channels[0], channels[2]);
-    phase.grid = readGrid(display);
+    phase.grid = readPhaseGrid(display);
     if (lens.boolean("mirror", false)) {
         phase.perColumn = -phase.perColumn;
         phase.perRow = -phase.perRow;
@@ -107,6 +107,7 @@ calib::VanBerkelLens readVanBerkel(DisplayReader& display) {
                                  : display.lensNumber(lens, "subpixels_per_lens", {1, 1000});
     sheet.offsetSubpixels = display.lensNumber(lens, "offset_subpixels", {-1000, 1000});
     sheet.bgr = lens.boolean("bgr", false);
+    sheet.grid = readPhaseGrid(display);
     return sheet;
 }
 
@@ -137,6 +138,7 @@ calib::LookingGlassCalibration readLookingGlass(DisplayReader& display) {
     requireCells(lens, unit.pattern, unit.cells.size());
     display.profile.widthM = units::metresFromInches(unit.screenWidth / unit.dpi);
     display.profile.fringe = lens.integer("fringe", looking_glass::kFringe, 0);
+    unit.grid = readPhaseGrid(display);
     return unit;
 }
 
@@ -147,6 +149,7 @@ calib::CubeviCalibration readCubevi(DisplayReader& display) {
         display.lensNumber(lens, "subpixels_per_lens", cubevi::kSubpixelsPerLens);
     unit.slope = display.lensNumber(lens, "slope", cubevi::kSlope);
     unit.offsetSubpixels = display.lensNumber(lens, "offset_subpixels", cubevi::kOffset);
+    unit.grid = readPhaseGrid(display);
     return unit;
 }
 
@@ -160,7 +163,7 @@ calib::TrackedLens readTrackedLens(DisplayReader& display) {
     if (law.fill > 0.999) lens.reject("fill_px", "lights the whole period (allowed < period_px)");
     law.eyeGainPx = display.lensNumber(lens, "eye_gain_px", {-1e6, 1e6});
     law.zBiasM = display.lensNumber(lens, "z_bias_m", {-10, 10});
-    law.grid = readGrid(display);
+    law.grid = readPhaseGrid(display);
     return law;
 }
 

@@ -4,6 +4,7 @@
 #include "calib/solve/least_squares.hpp"
 #include "calib/solve/refusal.hpp"
 #include "calib/solve/rig_solver.hpp"
+#include "calib/solve/sheet_grid.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -212,19 +213,6 @@ double disagreement(const Model& model, std::span<const PanelSight> sights, cons
     return std::sqrt(squares / (3 * static_cast<double>(sights.size())));
 }
 
-/// 95th percentile of what stays in the same place of the panel in all sights, cycles.
-double localResidual(std::span<const PanelSight> sights) {
-    std::vector<double> means(sights.front().fringes.residual.size());
-    for (const PanelSight& sight : sights)
-        for (std::size_t i = 0; i < means.size(); ++i)
-            means[i] += sight.fringes.residual[i] / static_cast<double>(sights.size());
-    for (double& mean : means)
-        mean = std::abs(mean);
-    const auto place = means.begin() + static_cast<std::ptrdiff_t>(means.size() * 95 / 100);
-    std::ranges::nth_element(means, place);
-    return *place;
-}
-
 double halfOf(const SymmetricMatrix& covariance, const std::array<double, kNumbers>& slopes) {
     double variance = 0;
     for (std::size_t i = 0; i < kNumbers; ++i)
@@ -233,12 +221,29 @@ double halfOf(const SymmetricMatrix& covariance, const std::array<double, kNumbe
     return kSigmas95 * std::sqrt(variance);
 }
 
+/// What the numbers leave, in place of a grid that the assumed display had.
+void addSheetGrid(DisplayCalibration& found, const calib::LensArray& lenses,
+                  std::span<const PanelSight> sights) {
+    constexpr double kLeastViews = 0.05;
+    calib::DisplayProfile& display = found.display;
+    const SheetGrid sheet = fitSheetGrid(lenses, {display.widthM, display.heightM()}, sights,
+                                         kLeastViews / display.views);
+    *calib::phaseGrid(display.law) = calib::turnedGrid(display, sheet.correction);
+    found.deformationViews = display.views * sheet.deformed;
+    found.localViews = display.views * sheet.left;
+    if (sheet.correction.cycles.empty()) return;
+    // What the sights do not agree in, each node has from all of them.
+    const double scatter = sheet.leftRms / std::sqrt(static_cast<double>(sights.size()));
+    found.half95Views = std::hypot(found.half95Views, display.views * kSigmas95 * scatter);
+}
+
 } // namespace
 
 DisplayCalibration calibrateDisplay(const calib::DisplayProfile& assumed,
                                     std::span<const PanelSight> sights) {
     constexpr double kMostDisagreement = 0.02; // cycles
-    DisplayCalibration found{assumed, {}, 0, 0, 0};
+    DisplayCalibration found;
+    found.display = assumed;
     const auto numbers = measuredNumbers(found.display);
     if (numbers.size() != kNumbers || !calib::displayOptics(assumed))
         throw Refusal("a display of type " + assumed.type + " cannot be measured from photographs");
@@ -275,7 +280,7 @@ DisplayCalibration calibrateDisplay(const calib::DisplayProfile& assumed,
         found.half95Views = std::max(found.half95Views, assumed.views * halfOf(covariance, slope));
     }
     found.rmsViews = assumed.views * off;
-    found.localViews = assumed.views * localResidual(sights);
+    addSheetGrid(found, model.lenses(best.steps), sights);
     return found;
 }
 

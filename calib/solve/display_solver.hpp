@@ -20,9 +20,10 @@ struct DisplayCalibration {
     std::vector<MeasuredNumber> numbers;
     double rmsViews = 0;    ///< what the sights disagree by
     double half95Views = 0; ///< 95 % of the phase anywhere on the panel, views
-    /// What is left once these numbers have been fitted: views, 95th percentile over the panel; a
-    /// deformed sheet needs a phase grid.
-    double localViews = 0;
+    /// What these numbers cannot say, for the sheet is deformed: views, 95th percentile over the
+    /// panel. From a twentieth of a view on it becomes the display's phase grid.
+    double deformationViews = 0;
+    double localViews = 0; ///< what is left then in sights that the grid was not made from, views
 };
 
 /// Pitch, slant, offset and fan of a display from what cameras in two places or more, apart from

@@ -122,9 +122,10 @@ std::optional<PlaneWave> fitPlaneWave(const WaveCells& cells, double leastContra
     double squares = 0, weight = 0;
     all = 0;
     for (const Block& block : blocksOf(cells, wave)) {
-        wave.residual.push_back(block.cells > 0 ? cyclesOf(block) : 0);
+        auto& left = wave.residual.emplace_back();
+        if (block.cells > 0) left = cyclesOf(block);
         all += block.sum;
-        squares += block.cells * wave.residual.back() * wave.residual.back();
+        squares += block.cells * left.value_or(0) * left.value_or(0);
         weight += block.cells;
     }
     wave.rms = std::sqrt(squares / weight);

@@ -24,11 +24,12 @@ struct PlaneWave {
 
     double slopeX = 0;
     double slopeY = 0;
-    double middle = 0;            ///< a whole cycle is nothing
-    SymmetricMatrix covariance;   ///< of these three, from the blocks' scatter
-    double contrast = 0;          ///< of what moves in step with the wave, 0 to 1
-    double rms = 0;               ///< of the blocks, cycles
-    std::vector<double> residual; ///< cycles, -1/2 to 1/2: a block each, rows from the top
+    double middle = 0;          ///< a whole cycle is nothing
+    SymmetricMatrix covariance; ///< of these three, from the blocks' scatter
+    double contrast = 0;        ///< of what moves in step with the wave, 0 to 1
+    double rms = 0;             ///< of the blocks, cycles
+    /// Cycles, -1/2 to 1/2: a block each, rows from the top; nothing where none of it was seen.
+    std::vector<std::optional<double>> residual;
 };
 
 /// The strongest wave, found in the spectrum, then fitted to the phases of the blocks. None where

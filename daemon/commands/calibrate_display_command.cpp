@@ -63,6 +63,7 @@ nlohmann::json toJson(const calibrate::DisplayCalibration& found) {
     return {{"numbers", numbers},
             {"phase_95_views", found.half95Views},
             {"rms_views", found.rmsViews},
+            {"deformation_views", found.deformationViews},
             {"local_views", found.localViews}};
 }
 
@@ -75,12 +76,16 @@ void print(const calibrate::DisplayCalibration& found,
     for (const calibrate::MeasuredNumber& number : found.numbers)
         std::printf("%s.%s = %.10g +- %.2g\n", number.table.c_str(), number.key.c_str(),
                     number.value, number.half95);
-    std::printf("phase anywhere on the panel: within %.3f views (95 %%), places disagree by %.3f, "
-                "deformation of the sheet %.3f\n",
-                found.half95Views, found.rmsViews, found.localViews);
+    std::printf("phase anywhere on the panel: within %.3f views (95 %%), places disagree by %.3f\n",
+                found.half95Views, found.rmsViews);
+    const bool grid = !calib::phaseGrid(found.display.law)->cycles.empty();
+    std::printf(
+        "sheet deformed by %.3f views (95 %% of the panel), %s, %.3f left in single places\n",
+        found.deformationViews, grid ? "corrected by a phase grid" : "not corrected",
+        found.localViews);
     constexpr double kDeformed = 0.5; // views
     if (found.localViews > kDeformed)
-        std::printf("warning: the sheet is deformed, which these numbers cannot say\n");
+        std::printf("warning: the sheet is deformed in a way that these photographs cannot tell\n");
     std::fflush(stdout);
 }
 
@@ -107,11 +112,10 @@ int calibrateDisplay(const CalibrateDisplayOptions& options) {
     try {
         const auto sights = sightsIn(options, *panel, rig.color);
         const auto found = calibrate::calibrateDisplay(assumed, sights);
-        devices::replaceKeepingOld(options.output,
-                                   unitFile(options.display, options.output,
-                                            {found.display, found.numbers},
-                                            config::MeasuredBy::Photographs),
-                                   "calibrate: ");
+        devices::replaceKeepingOld(
+            options.output,
+            unitFile(options.display, options.output, {found.display, found.numbers}),
+            "calibrate: ");
         if (options.json)
             std::cout << toJson(found).dump(2) << '\n';
         else

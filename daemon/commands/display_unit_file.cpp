@@ -9,11 +9,14 @@
 namespace autostereo::daemon {
 
 std::string unitFile(const std::string& assumed, const std::filesystem::path& file,
-                     const MeasuredDisplay& measured, config::MeasuredBy by) {
+                     const MeasuredDisplay& measured) {
     std::vector<config::MeasuredValue> values;
     for (const calibrate::MeasuredNumber& number : measured.numbers)
         values.push_back({number.table, number.key, number.value, number.half95});
-    std::string text = config::measuredDisplay(assumed, values, by);
+    config::MeasuredGrid grid;
+    if (measured.by == config::MeasuredBy::Photographs)
+        grid = *calib::phaseGrid(measured.display.law);
+    std::string text = config::measuredDisplay(assumed, values, grid, measured.by);
     const auto written = config::displayFromText(file.string(), text);
     const calib::LensArray is = calib::displayOptics(written)->lenses;
     const calib::LensArray should = calib::displayOptics(measured.display)->lenses;
@@ -23,7 +26,8 @@ std::string unitFile(const std::string& assumed, const std::filesystem::path& fi
     };
     if (differs(is.pitchM, should.pitchM, should.pitchM) || differs(is.slant, should.slant, 1) ||
         differs(is.axisM, should.axisM, measured.display.widthM) ||
-        differs(is.gapM, should.gapM, should.gapM))
+        differs(is.gapM, should.gapM, should.gapM) ||
+        is.correction.cycles.empty() != should.correction.cycles.empty())
         throw UsageError("--display: " + assumed +
                          " gives its lenses by keys that overrule the measured ones (give it by "
                          "subpixels_per_lens, row_shift_subpixels, without mirror)");

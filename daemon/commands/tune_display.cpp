@@ -90,8 +90,8 @@ class TuningDesk {
     }
 
     [[nodiscard]] std::string fileText() const {
-        return unitFile(options_.display, options_.output, {tuner_.display(), tuner_.changed()},
-                        config::MeasuredBy::Eye);
+        return unitFile(options_.display, options_.output,
+                        {tuner_.display(), tuner_.changed(), config::MeasuredBy::Eye});
     }
 
     void show() {

@@ -113,6 +113,47 @@ TEST_F(CalibrateDisplay, PhotographsMakeTheUnitsFile) {
     EXPECT_TRUE(succeeded(runProgram(calling({"check", folder / "mine.toml"}))));
 }
 
+/// The unit's sheet is bent, by a quarter of a view in its middle; its file gets a grid that says
+/// so, the panel is drawn with it, and measuring the flat model again takes it out.
+TEST_F(CalibrateDisplay, ABentSheetsGridGoesIntoTheFile) {
+    const std::string flat = modelWith("7.612", "3.1");
+    unit =
+        folder.file("unit.toml", flat + "[phase_grid]\ncolumns = 3\nrows = 3\ncycles = [0, 0, 0, "
+                                        "0, 0.06, 0, 0, 0, 0]\n[provenance]\ncycles = "
+                                        "\"measured\"\n");
+    const ProgramResult result = calibrate(photographs(), model);
+    ASSERT_TRUE(succeeded(result));
+    const auto report = nlohmann::json::parse(result.out);
+    EXPECT_GT(report["deformation_views"].get<double>(), 0.05);
+    const std::string mineFile = folder / "mine.toml";
+    const auto mine = config::loadDisplay(mineFile);
+    EXPECT_EQ(mine.provenance.at("cycles"), "measured");
+    const auto is = calib::displayOptics(mine)->lenses;
+    const auto was = calib::displayOptics(config::loadDisplay(unit))->lenses;
+    const auto error = [&](const calib::LensArray& found, const glm::dvec2& place) {
+        const double off =
+            found.coordinate({0, 0, 0.7}, place) - was.coordinate({0, 0, 0.7}, place);
+        return 8 * std::abs(off - std::round(off)); // views
+    };
+    auto without = is;
+    without.correction = {};
+    double worst = 0, worstWithout = 0;
+    for (const double x : {-0.15, -0.08, 0.0, 0.08, 0.15})
+        for (const double y : {-0.09, -0.05, 0.0, 0.05, 0.09}) {
+            worst = std::max(worst, error(is, {x, y}));
+            worstWithout = std::max(worstWithout, error(without, {x, y}));
+        }
+    EXPECT_LT(worst, 0.1);
+    EXPECT_GT(worstWithout, 0.15);
+    EXPECT_TRUE(succeeded(runProgram(calling({"check", mineFile}))));
+
+    unit = folder.file("unit.toml", flat);
+    std::filesystem::copy_file(mineFile, folder / "bent.toml");
+    ASSERT_TRUE(succeeded(calibrate(photographs(), folder / "bent.toml")));
+    const auto again = config::loadDisplay(mineFile);
+    EXPECT_TRUE(calib::phaseGrid(again.law)->cycles.empty());
+}
+
 TEST_F(CalibrateDisplay, WhatCannotBeRightIsRefused) {
     auto files = photographs();
     files.pop_back();

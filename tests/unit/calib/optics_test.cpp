@@ -99,6 +99,46 @@ TEST(Optics, LinearPhaseWithCellsAndLocalCorrection) {
     expectDirections(reversed, kSlack);
 }
 
+/// A grid's nodes go with the law: along its phase, from its row 0.
+TEST(Optics, LocalCorrectionOfEveryFamily) {
+    const PhaseGrid grid{3, 2, {0.1, -0.1, 0, 0, 0.15, 0.02}};
+    constexpr double kSlack = 2 * 0.2 / 240 * 3; // as above
+    for (const bool flipped : {false, true}) {
+        auto glass = unit();
+        glass.flipImageY = flipped;
+        glass.grid = grid;
+        expectDirections(lensDisplay(49, glass), kSlack);
+    }
+    for (const DisplayLaw& law : {DisplayLaw{CubeviCalibration{19.6138, -0.1007, -1.95, grid}},
+                                  DisplayLaw{VanBerkelLens{9.03, 1.1, 0.2, false, grid}}}) {
+        auto display = lensDisplay(40, law);
+        display.order = ViewOrder::RightToLeft;
+        expectDirections(display, kSlack);
+    }
+}
+
+TEST(Optics, LocalCorrectionOfALineScreen) {
+    LineScreen screen;
+    screen.linesPerM = 270 * 3;
+    screen.dutyCycle = 0.75;
+    screen.thicknessM = 0.004;
+    screen.angleRad = 0.15;
+    auto display = lensDisplay(2, screen);
+    const auto flat = displayOptics(display).value().lenses;
+    screen.grid = {2, 2, {0.1, 0.3, -0.1, 0.1}};
+    display.law = screen;
+    const auto bent = displayOptics(display).value().lenses;
+    const glm::dvec3 eye{0, 0, 0.6};
+    for (const glm::dvec2& place : {glm::dvec2{0, 0}, {-0.04, 0.02}, {0.03, -0.03}}) {
+        // Linear between the outermost pixels' centres.
+        const double expected =
+            0.1 + 0.2 * place.x / (0.1 * 479 / 480) + 0.2 * place.y / (0.1 * 319 / 480);
+        EXPECT_NEAR(bent.coordinate(eye, place) - flat.coordinate(eye, place), expected, 1e-12);
+    }
+    const LinearPhase phase = lineScreenPhase(screen, display, 480, 320, eye);
+    EXPECT_EQ(phase.grid.cycles, screen.grid.cycles);
+}
+
 /// A gap that the file gives counts, not the fan: half of it, and the fan is twice as wide.
 TEST(Optics, AGivenGapReplacesTheFans) {
     auto display = lensDisplay(9, VanBerkelLens{9, 1, 0});

@@ -103,6 +103,28 @@ TEST(PhaseTables, GridIsBilinearFromCornerToCorner) {
         }
 }
 
+TEST(PhaseTables, EveryLensLawKeepsItsGrid) {
+    const PhaseGrid grid{2, 2, {0.1, 0.2, 0.3, 0.4}};
+    auto glass = unitWithCells(CellPattern::Single);
+    glass.grid = grid;
+    LinearPhase linear;
+    linear.grid = grid;
+    for (const DisplayLaw& law :
+         {DisplayLaw{linear}, DisplayLaw{VanBerkelLens{8.3, 1.1, 0.2, false, grid}},
+          DisplayLaw{glass}, DisplayLaw{CubeviCalibration{19.6, 0.1, 0, grid}}}) {
+        auto with = affinePhase(law, 8).value();
+        const PhaseTables bent = phaseTables(with, 97, 61);
+        with.grid = {};
+        const PhaseTables flat = phaseTables(with, 97, 61);
+        const auto corner = [&](int x, int y) {
+            return std::ldexp(static_cast<Real>(bent.phase(x, y, 1) - flat.phase(x, y, 1)), -32);
+        };
+        EXPECT_NEAR(static_cast<double>(corner(0, 0)), 0.1, 1e-8) << law.index();
+        EXPECT_NEAR(static_cast<double>(corner(96, 0)), 0.2, 1e-8) << law.index();
+        EXPECT_NEAR(static_cast<double>(corner(0, 60)), 0.3, 1e-8) << law.index();
+    }
+}
+
 /// Half frames count from the top, quilts from the bottom; the rest of 7 / 2 and 7 / 3 stays empty.
 TEST(TileView, LiesAsItsKindSays) {
     const TileFrame halves{2, 1, true, false}, turned{2, 1, true, true}, above{1, 2, true, false};

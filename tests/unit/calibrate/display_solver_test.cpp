@@ -48,6 +48,7 @@ TEST_F(DisplaySolverTest, FindsAUnitsNumbers) {
     const DisplayCalibration found = calibrateDisplay(model, sights(unit, model));
     EXPECT_LT(phaseErrorViews(found.display, unit, 0.99), 0.1);
     EXPECT_LT(found.half95Views, 0.5);
+    EXPECT_TRUE(calib::phaseGrid(found.display.law)->cycles.empty()) << "its sheet is flat";
     ASSERT_EQ(found.numbers.size(), 4U);
     auto truth = unit;
     const auto numbers = measuredNumbers(truth);
@@ -55,6 +56,37 @@ TEST_F(DisplaySolverTest, FindsAUnitsNumbers) {
         EXPECT_NEAR(found.numbers[i].value, *numbers[i].value / numbers[i].unit,
                     3 * found.numbers[i].half95) // 95 % of one run each, systematic parts beside
             << found.numbers[i].key;
+}
+
+TEST_F(DisplaySolverTest, ABentSheetGetsAGrid) {
+    const auto model = smallPanel();
+    const auto unit = bent(unitOf(model, 5, 1), 0.1);
+    DisplayCalibration found = calibrateDisplay(model, sights(unit, model));
+    EXPECT_LT(phaseErrorViews(found.display, unit, 0.99), 0.1);
+    EXPECT_LT(phaseErrorViews(found.display, unit, 0.95), found.half95Views);
+    EXPECT_GT(found.deformationViews, 0.15);
+    EXPECT_LT(found.localViews, 0.1);
+    // Measured again, as a display that has that grid, it is not taken twice; flat again, it goes.
+    const auto again = calibrateDisplay(found.display, sights(unit, found.display));
+    EXPECT_LT(phaseErrorViews(again.display, unit, 0.99), 0.1);
+    const auto flat = calibrateDisplay(found.display, sights(unitOf(model, 5, 1), found.display));
+    EXPECT_TRUE(calib::phaseGrid(flat.display.law)->cycles.empty());
+    calib::phaseGrid(found.display.law)->cycles.clear();
+    EXPECT_GT(phaseErrorViews(found.display, unit, 0.99), 0.3) << "nothing to correct";
+}
+
+/// What differs from place to place is no sheet's: a grid from one place would be wrong in others.
+TEST_F(DisplaySolverTest, WhatMovesWithTheCameraMakesNoGrid) {
+    const auto model = smallPanel();
+    auto seen = sights(model, model);
+    for (std::size_t sight = 0; sight < seen.size(); ++sight)
+        for (std::size_t block = 0; block < seen[sight].fringes.residual.size(); ++block)
+            seen[sight].fringes.residual[block] =
+                0.03 * std::sin(0.9 * static_cast<double>(block) +
+                                2.1 * static_cast<double>(sight)); // a third of a turn each
+    const auto found = calibrateDisplay(model, seen);
+    EXPECT_TRUE(calib::phaseGrid(found.display.law)->cycles.empty());
+    EXPECT_GT(found.localViews, 0.1) << "it is said";
 }
 
 TEST_F(DisplaySolverTest, ASecondRoundStartsFromTheFirst) {

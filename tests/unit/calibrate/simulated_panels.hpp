@@ -24,6 +24,21 @@ inline calib::DisplayProfile unitOf(calib::DisplayProfile model, std::uint32_t s
     return model;
 }
 
+/// The unit with its sheet bent by up to `cycles`: a swell over the panel, a dent in a corner.
+inline calib::DisplayProfile bent(calib::DisplayProfile unit, double cycles) {
+    constexpr int kNodes = 41;
+    calib::PhaseGrid& grid = *calib::phaseGrid(unit.law);
+    grid = {kNodes, kNodes, {}};
+    for (int row = 0; row < kNodes; ++row)
+        for (int column = 0; column < kNodes; ++column) {
+            const double x = column / (kNodes - 1.0), y = row / (kNodes - 1.0);
+            const double swell = 0.5 * std::sin(5 * x + 1) * std::cos(4 * y);
+            const double away = std::hypot(x - 0.8, y - 0.25) / 0.15;
+            grid.cycles.push_back(cycles * (swell + 0.5 * std::exp(-away * away)));
+        }
+    return unit;
+}
+
 /// Photographs of a panel that shows what `assumed` would have it show, from `places`.
 inline std::vector<PanelSight> sightsOf(const calib::DisplayProfile& truth,
                                         const calib::DisplayProfile& assumed,

@@ -24,9 +24,13 @@ constexpr bad::Case kCases[] = {
      "x.toml:13:10: optics.gap_mm: 0 is out of range (allowed 0.001 to 1000)"},
     {"opticsWord", bad::kVanBerkel, "[provenance]", "[optics]\nkind = \"mirror\"\n[provenance]",
      "x.toml:13:8: optics.kind: \"mirror\" is unknown (allowed lens, slit)"},
+    {"phaseGridOfATable", bad::kTable, "[provenance]",
+     "[phase_grid]\ncolumns = 2\nrows = 2\ncycles = [0, 0, 0, 0]\n[provenance]",
+     "x.toml:10:2: phase_grid: unknown key"},
     {"phaseGridCount", bad::kVanBerkel, "[provenance]",
-     "[phase_grid]\ncolumns = 2\nrows = 2\ncycles = [0, 0, 0]\n[provenance]",
-     "x.toml:12:2: phase_grid: unknown key"},
+     "[phase_grid]\ncolumns = 2\nrows = 2\ncycles = [0, 0, 0]\n[provenance]\ncycles = \"measured\"",
+     "x.toml:15:10: phase_grid.cycles: has 3 elements, wanted an array of 4 numbers (allowed -1 to "
+     "1)"},
     {"gridCount", bad::kLinear, "cycles = [0, 0, 0, 0]", "cycles = [0, 0, 0]",
      "x.toml:16:10: phase_grid.cycles: has 3 elements, wanted an array of 4 numbers (allowed -1 to "
      "1)"},
