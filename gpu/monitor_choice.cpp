@@ -122,4 +122,12 @@ MonitorChoice chooseMonitor(std::span<const MonitorInfo> monitors, const Monitor
                           "): set that mode, or --force to show it all the same");
 }
 
+std::optional<std::string> monitorChange(const MonitorInfo& was,
+                                         const std::optional<MonitorInfo>& is) {
+    if (!is) return "the monitor " + was.name + " was unplugged or turned off";
+    if (is->width == was.width && is->height == was.height) return std::nullopt;
+    return "the monitor " + was.name + " went from " + sizeText(was.width, was.height) + " to " +
+           sizeText(is->width, is->height);
+}
+
 } // namespace autostereo::gpu

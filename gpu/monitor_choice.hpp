@@ -36,6 +36,11 @@ struct MonitorChoice {
 [[nodiscard]] MonitorChoice chooseMonitor(std::span<const MonitorInfo> monitors,
                                           const MonitorRequest& request);
 
+/// What became of the monitor that a full-screen window was opened on (nothing: it is gone), where
+/// sub-pixels would no longer be the panel's own. Pure.
+[[nodiscard]] std::optional<std::string> monitorChange(const MonitorInfo& was,
+                                                       const std::optional<MonitorInfo>& is);
+
 /// Which of the window system's names is the kernel's connector. They differ by driver: HDMI-A-1
 /// is HDMI-A-1 (Wayland), HDMI-1 or HDMI-1-1 on a second card (X, modesetting), HDMI1 (intel),
 /// HDMI-A-0 (amdgpu, radeon), HDMI-0 (nvidia); DP-1 is DisplayPort-0 for amdgpu. A name with a 0

@@ -1,5 +1,7 @@
 #include "gpu/offscreen_panel.hpp"
 
+#include "gpu/gl/lost_context.hpp"
+
 namespace autostereo::gpu {
 
 OffscreenPanel::OffscreenPanel(int width, int height, bool debugContext)
@@ -7,6 +9,9 @@ OffscreenPanel::OffscreenPanel(int width, int height, bool debugContext)
       framebuffer_(gl::makeFramebuffer(color_)) {}
 
 // A window's swap bounds how far the CPU runs ahead of the GPU; here the wait does it.
-void OffscreenPanel::present() { glFinish(); }
+void OffscreenPanel::present() {
+    glFinish();
+    gl::throwIfReset();
+}
 
 } // namespace autostereo::gpu

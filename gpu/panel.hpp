@@ -16,7 +16,9 @@ class Panel {
     [[nodiscard]] virtual int width() const = 0; ///< pixels, unscaled
     [[nodiscard]] virtual int height() const = 0;
     [[nodiscard]] virtual GLuint framebuffer() const = 0;
+    /// Throws PanelLost.
     virtual void present() = 0;
+    /// Throws PanelLost.
     virtual void pollEvents() = 0;
     /// Pressed since the last call, as far as `pollEvents` has seen; none without a keyboard.
     [[nodiscard]] virtual std::vector<KeyPress> takeKeys() { return {}; }

@@ -2,6 +2,7 @@
 
 #include "gpu/gl/debug_output.hpp"
 #include "gpu/gl/error.hpp"
+#include "gpu/gl/lost_context.hpp"
 
 #include <GLFW/glfw3.h>
 #include <spdlog/spdlog.h>
@@ -85,16 +86,29 @@ void setHints(const GLFWvidmode& mode, bool debugContext) {
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
 }
 
+MonitorInfo infoOf(GLFWmonitor* monitor) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    return {glfwGetMonitorName(monitor), mode->width, mode->height, mode->refreshRate};
+}
+
+/// Asked to tell when the GPU is reset; a driver that cannot opens no such window.
+GLFWwindow* openWindow(const GLFWvidmode& mode, GLFWmonitor* monitor) {
+    GLFWwindow* window = nullptr;
+    for (const int telling : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
+        glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, telling);
+        if (window == nullptr)
+            window = glfwCreateWindow(mode.width, mode.height, "autostereo", monitor, nullptr);
+    }
+    return window;
+}
+
 } // namespace
 
 std::vector<MonitorInfo> listMonitors() {
     std::vector<MonitorInfo> found;
     if (!startGlfw()) return found;
-    for (GLFWmonitor* monitor : monitors()) {
-        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-        found.push_back(
-            {glfwGetMonitorName(monitor), mode->width, mode->height, mode->refreshRate});
-    }
+    for (GLFWmonitor* monitor : monitors())
+        found.push_back(infoOf(monitor));
     return found;
 }
 
@@ -107,7 +121,8 @@ WindowPanel::WindowPanel(const MonitorRequest& request, bool debugContext) {
     GLFWmonitor* monitor = monitors()[choice.index];
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     setHints(*mode, debugContext);
-    window_ = glfwCreateWindow(mode->width, mode->height, "autostereo", monitor, nullptr);
+    monitor_ = infoOf(monitor);
+    window_ = openWindow(*mode, monitor);
     if (window_ == nullptr) {
         throw GlError("window: cannot open a full-screen OpenGL 4.5 window: " + lastError());
     }
@@ -129,8 +144,27 @@ WindowPanel::~WindowPanel() {
     if (window_ != nullptr) glfwDestroyWindow(window_);
 }
 
-void WindowPanel::present() { glfwSwapBuffers(window_); }
-void WindowPanel::pollEvents() { glfwPollEvents(); }
+void WindowPanel::present() {
+    glfwSwapBuffers(window_);
+    gl::throwIfReset();
+}
+
+void WindowPanel::pollEvents() {
+    constexpr auto kBetweenChecks = std::chrono::seconds(1); // each asks the display server
+    glfwPollEvents();
+    const auto now = std::chrono::steady_clock::now();
+    if (now - checkedAt_ < kBetweenChecks) return;
+    checkedAt_ = now;
+    checkMonitor();
+}
+
+void WindowPanel::checkMonitor() const {
+    GLFWmonitor* monitor = glfwGetWindowMonitor(window_);
+    std::optional<MonitorInfo> is;
+    if (monitor != nullptr && glfwGetVideoMode(monitor) != nullptr) is = infoOf(monitor);
+    if (const auto change = monitorChange(monitor_, is)) throw PanelLost("window: " + *change);
+}
+
 std::vector<KeyPress> WindowPanel::takeKeys() { return std::exchange(keys_, {}); }
 
 bool WindowPanel::closed() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }

@@ -3,6 +3,7 @@
 #include "gpu/monitor_choice.hpp"
 #include "gpu/panel.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -45,7 +46,11 @@ class WindowPanel final : public Panel {
     [[nodiscard]] std::optional<GammaRamp> gammaRamp() const;
 
   private:
+    void checkMonitor() const;
+
     GLFWwindow* window_ = nullptr;
+    MonitorInfo monitor_; ///< as it was when the window opened
+    std::chrono::steady_clock::time_point checkedAt_;
     int width_ = 0;
     int height_ = 0;
     std::string description_;

@@ -37,16 +37,23 @@ SurfacelessContext::SurfacelessContext(bool debug) {
     EGLint count = 0;
     if (eglChooseConfig(display, wanted.data(), &config, 1, &count) == EGL_FALSE || count == 0)
         config = EGL_NO_CONFIG_KHR;
-    const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                           4,
-                                           EGL_CONTEXT_MINOR_VERSION,
-                                           5,
-                                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                           EGL_CONTEXT_OPENGL_DEBUG,
-                                           debug ? EGL_TRUE : EGL_FALSE,
-                                           EGL_NONE};
-    context_ = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+    // Asked to tell of resets; a driver that cannot makes no such context.
+    for (const bool telling : {true, false}) {
+        const std::array<EGLint, 11> attributes{
+            EGL_CONTEXT_MAJOR_VERSION,
+            4,
+            EGL_CONTEXT_MINOR_VERSION,
+            5,
+            EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+            EGL_CONTEXT_OPENGL_DEBUG,
+            debug ? EGL_TRUE : EGL_FALSE,
+            telling ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY : EGL_NONE,
+            EGL_LOSE_CONTEXT_ON_RESET,
+            EGL_NONE};
+        context_ = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+        if (context_ != EGL_NO_CONTEXT) break;
+    }
     if (context_ == EGL_NO_CONTEXT)
         throw GlError("egl: cannot create an OpenGL 4.5 core context (error " +
                       std::to_string(eglGetError()) + "): does the driver offer it?");

@@ -98,5 +98,13 @@ TEST(ChooseMonitor, AConnectorWithoutAName) {
     EXPECT_EQ(chooseMonitor(kMonitors, {1920, 1080, "HDMI-A-2", false}).warning, "");
 }
 
+TEST(MonitorChange, OnlyWhatMovesSubPixelsCounts) {
+    const MonitorInfo was{"HDMI-A-1", 3840, 2160, 60};
+    EXPECT_EQ(monitorChange(was, MonitorInfo{"HDMI-A-1", 3840, 2160, 30}), std::nullopt);
+    EXPECT_EQ(monitorChange(was, MonitorInfo{"HDMI-A-1", 1920, 1080, 60}),
+              "the monitor HDMI-A-1 went from 3840x2160 to 1920x1080");
+    EXPECT_EQ(monitorChange(was, std::nullopt), "the monitor HDMI-A-1 was unplugged or turned off");
+}
+
 } // namespace
 } // namespace autostereo::test
