@@ -202,8 +202,9 @@ void Session::show(devices::RgbdFrame frame) {
 
 void Session::followViewer() {
     const bool shown = shown_ == Shown::Live || shown_ == Shown::Frozen;
-    if (!viewer_ || !realtime_ || !shown || pattern_ || redraw_ || last_.depth.empty()) return;
-    if (clock_.now() - presentedAt_ < kEyeInterval) return;
+    if (!viewer_ || !shown || pattern_ || redraw_ || last_.depth.empty()) return;
+    if (realtime_ && clock_.now() - presentedAt_ < kEyeInterval) return;
+    frameAt_ = last_.depth.metadata().capturedAt;
     screen_.showAgain();
     present();
 }

@@ -30,7 +30,10 @@ bool eventually(const std::function<bool()>& what, std::chrono::milliseconds lim
     return true;
 }
 
-Kiosk::Kiosk(const std::string& config) : display_(smallDisplay(folder_)) { configure(config); }
+Kiosk::Kiosk(const std::string& config, const std::string& display)
+    : display_(display.empty() ? smallDisplay(folder_) : folder_.file("display.toml", display)) {
+    configure(config);
+}
 
 void Kiosk::configure(const std::string& config) const {
     (void)folder_.file("kiosk.toml", "input.wait = \"yes\"\ninput.uri = \"" +

@@ -17,8 +17,9 @@ namespace autostereo::test {
 /// Thread-bound.
 class Kiosk {
   public:
-    /// `config`: more lines of the configuration, tables included.
-    explicit Kiosk(const std::string& config = "");
+    /// `config`: more lines of the configuration, tables included; `display`: a display file's text
+    /// in place of the small one's.
+    explicit Kiosk(const std::string& config = "", const std::string& display = "");
 
     void plug(const std::string& sensor) const { (void)folder_.file(sensor, ""); }
     void plugBoth() const {
@@ -30,7 +31,7 @@ class Kiosk {
     void silence(const std::string& sensor) const { (void)folder_.file(sensor, "silent"); }
 
     void configure(const std::string& config) const;
-    /// Starts it, off-screen on the small display; waits until its socket answers.
+    /// Starts it, off-screen on its display; waits until its socket answers.
     void start(std::vector<std::string> more = {}, std::vector<std::string> environment = {});
     /// One command to it: "status", "set" ...
     [[nodiscard]] ProgramResult command(std::vector<std::string> words) const;
