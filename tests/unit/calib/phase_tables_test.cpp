@@ -84,8 +84,9 @@ TEST(PhaseTables, GridIsBilinearFromCornerToCorner) {
         law.grid.cycles.push_back(0.2 * std::sin(1.3 * node));
     const PhaseTables tables = phaseTables(law, kWidth, kHeight);
     const auto node = [&](int column, int row) {
-        return static_cast<Real>(law.grid.cycles.at(static_cast<std::size_t>(
-            std::min(row, kRows - 1) * kColumns + std::min(column, kColumns - 1))));
+        const auto at = static_cast<std::size_t>(std::min(row, kRows - 1)) * kColumns +
+                        static_cast<std::size_t>(std::min(column, kColumns - 1));
+        return static_cast<Real>(law.grid.cycles.at(at));
     };
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
