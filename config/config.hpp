@@ -52,6 +52,14 @@ struct IdleParams {
     std::string noPairsText = "The cameras do not fit together";
 };
 
+/// The cameras' last pictures, kept in memory until somebody asks for them as a recording.
+struct RingParams {
+    devices::Duration length{0};                     ///< 0: nothing is kept
+    std::size_t mostBytes = std::size_t{256} << 20U; ///< of pictures
+
+    [[nodiscard]] bool operator==(const RingParams&) const = default;
+};
+
 /// When nothing is shown though the sensors work.
 struct RestParams {
     std::vector<OpeningSpan> hours; ///< none: always open
@@ -68,6 +76,7 @@ struct Config {
     std::optional<std::string> rig;   ///< rig file; none: the input's own calibration
     std::optional<bool> wait;         ///< for an input that is not there; none: in a window
     std::optional<Output> output;     ///< none: window if there is a display, else off-screen
+    double refreshHz = 0;             ///< at which an off-screen panel takes pictures; 0: any time
     devices::SyncParams sync;
     devices::ReconnectParams reconnect;
     gpu::PipelineParams pipeline;
@@ -78,6 +87,7 @@ struct Config {
     devices::ViewerParams viewer;
     IdleParams idle;
     RestParams rest;
+    RingParams ring;
     ControlParams control;
     HttpParams http;
     LogParams log;

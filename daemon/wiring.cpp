@@ -180,7 +180,7 @@ config::Output chooseOutput(const config::Config& config) {
 }
 
 std::unique_ptr<gpu::Panel> openPanel(const calib::DisplayProfile& display, config::Output output,
-                                      bool force, const std::string& connector) {
+                                      bool force, double refreshHz, const std::string& connector) {
     if (output == config::Output::Window) {
         auto window = std::make_unique<gpu::WindowPanel>(
             gpu::MonitorRequest{display.width, display.height, connector, force}, kDebugContext);
@@ -188,7 +188,7 @@ std::unique_ptr<gpu::Panel> openPanel(const calib::DisplayProfile& display, conf
         return window;
     }
     const PanelSize size = offscreenSize(display);
-    return std::make_unique<gpu::OffscreenPanel>(size.width, size.height, kDebugContext);
+    return std::make_unique<gpu::OffscreenPanel>(size.width, size.height, kDebugContext, refreshHz);
 }
 
 PanelSize offscreenSize(const calib::DisplayProfile& display) {

@@ -63,9 +63,11 @@ class Recording {
                                                       devices::Clock& clock);
 
 /// A window where one was asked for or a display server is there; else off-screen. `connector`, the
-/// kernel's name, says which monitor; empty: by size. Throws GlError.
+/// kernel's name, says which monitor; empty: by size. `refreshHz`: of an off-screen one, 0: none.
+/// Throws GlError.
 [[nodiscard]] std::unique_ptr<gpu::Panel> openPanel(const calib::DisplayProfile& display,
                                                     config::Output output, bool force,
+                                                    double refreshHz = 0,
                                                     const std::string& connector = {});
 [[nodiscard]] config::Output chooseOutput(const config::Config& config);
 

@@ -16,6 +16,7 @@ class Panel {
     [[nodiscard]] virtual int width() const = 0; ///< pixels, unscaled
     [[nodiscard]] virtual int height() const = 0;
     [[nodiscard]] virtual GLuint framebuffer() const = 0;
+    /// Returns when the picture is out, as far as the driver tells: nothing is queued.
     virtual void present() = 0;
     virtual void pollEvents() = 0;
     /// Pressed since the last call, as far as `pollEvents` has seen; none without a keyboard.

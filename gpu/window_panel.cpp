@@ -129,7 +129,12 @@ WindowPanel::~WindowPanel() {
     if (window_ != nullptr) glfwDestroyWindow(window_);
 }
 
-void WindowPanel::present() { glfwSwapBuffers(window_); }
+// A driver may queue swaps; then the next picture would be chosen while this one still waits for
+// its vertical sync, and be that much older when its turn comes.
+void WindowPanel::present() {
+    glfwSwapBuffers(window_);
+    glFinish();
+}
 void WindowPanel::pollEvents() { glfwPollEvents(); }
 std::vector<KeyPress> WindowPanel::takeKeys() { return std::exchange(keys_, {}); }
 

@@ -186,18 +186,27 @@ void Session::show(devices::RgbdFrame frame) {
     }
     frameAt_ = frame.depth.metadata().capturedAt;
     screen_.show(frame);
+    screen_.finish();
+    const devices::TimePoint drawnAt = clock_.now();
     present();
+    if (realtime_) noteLatency(frame.depth.metadata(), arrivedAt, drawnAt);
     ++timesShown_;
     policy_.presented(clock_.now());
     if (report_.presented == 0) screen_.keepChoice();
     ++report_.presented;
     if (measuresNothing(frame.depth)) ++report_.withoutDepth;
-    if (realtime_) {
-        const double ms = 1e3 * seconds(clock_.now() - frame.depth.metadata().capturedAt);
-        report_.latencyMs.add(ms);
-        report_.latencyHistogram.add(ms);
-    }
     last_ = std::move(frame);
+}
+
+void Session::noteLatency(const devices::FrameMetadata& depth, devices::TimePoint takenAt,
+                          devices::TimePoint drawnAt) {
+    const auto ms = [](devices::Duration part) { return 1e3 * seconds(part); };
+    report_.latencyMs.add(ms(presentedAt_ - depth.capturedAt));
+    report_.latencyHistogram.add(ms(presentedAt_ - depth.capturedAt));
+    report_.latencyParts.transfer.add(ms(depth.arrivedAt - depth.capturedAt));
+    report_.latencyParts.wait.add(ms(takenAt - depth.arrivedAt));
+    report_.latencyParts.draw.add(ms(drawnAt - takenAt));
+    report_.latencyParts.swap.add(ms(presentedAt_ - drawnAt));
 }
 
 void Session::followViewer() {

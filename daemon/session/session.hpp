@@ -66,6 +66,8 @@ class Session {
     void takeInput();
     [[nodiscard]] bool isFresh(const devices::RgbdFrame& frame);
     void show(devices::RgbdFrame frame);
+    void noteLatency(const devices::FrameMetadata& depth, devices::TimePoint takenAt,
+                     devices::TimePoint drawnAt);
     /// Closed or Nobody, where pictures are not wanted now.
     [[nodiscard]] std::optional<Shown> rest() const;
     void showWithoutPair();
