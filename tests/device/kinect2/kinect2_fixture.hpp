@@ -37,9 +37,6 @@ struct ExpectedPictures {
 };
 [[nodiscard]] const ExpectedPictures& expectedPictures();
 
-/// What decoding a pair takes here, milliseconds, the median of nine. 12 on an idle machine.
-[[nodiscard]] double decodeMs();
-
 /// Full rate where this machine can decode twice as fast with one processor, else a half of it,
 /// and so on.
 [[nodiscard]] double possibleFps();

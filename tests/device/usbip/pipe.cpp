@@ -95,7 +95,10 @@ bool Pipe::serveOne(Wire& wire, Time now) {
 bool Pipe::serveIsochronous(Wire& wire) {
     Submit submit = std::move(waiting_.front());
     waiting_.pop_front();
-    interval_ = std::max(interval_, std::chrono::steady_clock::now() - kMostLate);
+    // A host controller says which packet comes after intervals that it missed.
+    const Time earliest = std::chrono::steady_clock::now() - kMostLate;
+    bool missed = interval_ < earliest;
+    interval_ = std::max(interval_, earliest);
     Bytes data;
     for (IsoPacket& packet : submit.packets) {
         const auto next = throughFaults([&] {
@@ -110,6 +113,7 @@ bool Pipe::serveIsochronous(Wire& wire) {
                     next->data.begin() + static_cast<std::ptrdiff_t>(length));
         packet.actual = static_cast<std::uint32_t>(length);
         packet.status = faults_.babble ? Status::Overflow : next->status;
+        if (std::exchange(missed, false)) packet.status = Status::Lost;
     }
     return wire.reply(submit, faults_.stall ? Status::Stall : Status::Good, data);
 }
