@@ -52,14 +52,6 @@ struct IdleParams {
     std::string noPairsText = "The cameras do not fit together";
 };
 
-/// The cameras' last pictures, kept in memory until somebody asks for them as a recording.
-struct RingParams {
-    devices::Duration length{0};                     ///< 0: nothing is kept
-    std::size_t mostBytes = std::size_t{256} << 20U; ///< of pictures
-
-    [[nodiscard]] bool operator==(const RingParams&) const = default;
-};
-
 /// When nothing is shown though the sensors work.
 struct RestParams {
     std::vector<OpeningSpan> hours; ///< none: always open
@@ -87,7 +79,6 @@ struct Config {
     devices::ViewerParams viewer;
     IdleParams idle;
     RestParams rest;
-    RingParams ring;
     ControlParams control;
     HttpParams http;
     LogParams log;

@@ -29,15 +29,15 @@ std::optional<RgbdFrame> NewestPair::take(TimePoint now, bool last) {
             const TimePoint arrivedAt = depth->metadata().arrivedAt;
             sync_.pushDepth(std::move(*depth), arrivedAt);
         }
-        settle(newest, now);
+        settle(newest);
     }
     if (last) sync_.flush();
     settle(newest, now);
     return newest;
 }
 
-void NewestPair::settle(std::optional<RgbdFrame>& newest, TimePoint now) {
-    while (auto pair = sync_.next(now)) {
+void NewestPair::settle(std::optional<RgbdFrame>& newest, std::optional<TimePoint> now) {
+    while (auto pair = now ? sync_.next(*now) : sync_.next()) {
         if (newest) ++dropped_;
         newest = std::move(pair);
     }

@@ -30,7 +30,7 @@ class NewestPair {
     [[nodiscard]] FeedCounters counters() const;
 
   private:
-    void settle(std::optional<RgbdFrame>& newest, TimePoint now);
+    void settle(std::optional<RgbdFrame>& newest, std::optional<TimePoint> now = {});
 
     FrameSync sync_;
     Queue depth_, color_;

@@ -33,6 +33,7 @@ Json percentilesJson(const Percentiles& samples, const char* p50, const char* p9
 Json latencyJson(const LatencyParts& parts) {
     Json all = Json::object();
     for (const auto& [name, part] : {std::pair{"transfer", &parts.transfer},
+                                     {"pairing", &parts.pairing},
                                      {"wait", &parts.wait},
                                      {"draw", &parts.draw},
                                      {"swap", &parts.swap}})

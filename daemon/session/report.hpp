@@ -17,11 +17,11 @@ namespace autostereo::daemon {
 /// A picture's way from mid-exposure to the panel, milliseconds; the parts of one picture add up to
 /// its latency.
 struct LatencyParts {
-    Percentiles
-        transfer;     ///< until its depth frame was here: half the exposure and the camera's way
-    Percentiles wait; ///< for its colour frame, for a nearer one, for the picture before it
-    Percentiles draw; ///< until the GPU had filled the panel
-    Percentiles swap; ///< until it was presented
+    Percentiles transfer; ///< until its depth frame was here: half the exposure, the camera's way
+    Percentiles pairing;  ///< until its colour frame was here, too
+    Percentiles wait;     ///< for a nearer colour frame, for the picture before
+    Percentiles draw;     ///< until the GPU had filled the panel
+    Percentiles swap;     ///< until it was presented
 };
 
 /// The accounts of a run. frames_in = presented + skipped + dropped holds between frames.

@@ -166,11 +166,11 @@ bool Session::isFresh(const devices::RgbdFrame& frame) {
 }
 
 void Session::show(devices::RgbdFrame frame) {
-    const devices::TimePoint arrivedAt = clock_.now();
-    attendance_.saw(frame.depth, arrivedAt);
+    const devices::TimePoint takenAt = clock_.now();
+    attendance_.saw(frame.depth, takenAt);
     const auto resting = rest();
     if (!pattern_) enter(resting.value_or(Shown::Live));
-    policy_.presented(arrivedAt);
+    policy_.presented(takenAt);
     const bool same = !last_.depth.empty() && samePicture(frame.depth, last_.depth) &&
                       samePicture(frame.color, last_.color);
     if (!same) timesShown_ = 0;
@@ -189,7 +189,7 @@ void Session::show(devices::RgbdFrame frame) {
     screen_.finish();
     const devices::TimePoint drawnAt = clock_.now();
     present();
-    if (realtime_) noteLatency(frame.depth.metadata(), arrivedAt, drawnAt);
+    if (realtime_) noteLatency(frame, takenAt, drawnAt);
     ++timesShown_;
     policy_.presented(clock_.now());
     if (report_.presented == 0) screen_.keepChoice();
@@ -198,13 +198,16 @@ void Session::show(devices::RgbdFrame frame) {
     last_ = std::move(frame);
 }
 
-void Session::noteLatency(const devices::FrameMetadata& depth, devices::TimePoint takenAt,
+void Session::noteLatency(const devices::RgbdFrame& frame, devices::TimePoint takenAt,
                           devices::TimePoint drawnAt) {
     const auto ms = [](devices::Duration part) { return 1e3 * seconds(part); };
+    const devices::FrameMetadata& depth = frame.depth.metadata();
+    const devices::TimePoint pairedAt = std::max(depth.arrivedAt, frame.color.metadata().arrivedAt);
     report_.latencyMs.add(ms(presentedAt_ - depth.capturedAt));
     report_.latencyHistogram.add(ms(presentedAt_ - depth.capturedAt));
     report_.latencyParts.transfer.add(ms(depth.arrivedAt - depth.capturedAt));
-    report_.latencyParts.wait.add(ms(takenAt - depth.arrivedAt));
+    report_.latencyParts.pairing.add(ms(pairedAt - depth.arrivedAt));
+    report_.latencyParts.wait.add(ms(takenAt - pairedAt));
     report_.latencyParts.draw.add(ms(drawnAt - takenAt));
     report_.latencyParts.swap.add(ms(presentedAt_ - drawnAt));
 }

@@ -66,7 +66,7 @@ class Session {
     void takeInput();
     [[nodiscard]] bool isFresh(const devices::RgbdFrame& frame);
     void show(devices::RgbdFrame frame);
-    void noteLatency(const devices::FrameMetadata& depth, devices::TimePoint takenAt,
+    void noteLatency(const devices::RgbdFrame& frame, devices::TimePoint takenAt,
                      devices::TimePoint drawnAt);
     /// Closed or Nobody, where pictures are not wanted now.
     [[nodiscard]] std::optional<Shown> rest() const;

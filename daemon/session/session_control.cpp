@@ -44,6 +44,8 @@ void Session::replace(const config::Config& config) {
         throw config::ConfigError("input: cannot be another one while it is recorded");
     if (config.output.value_or(output_) != output_)
         throw config::ConfigError("output.kind: needs a restart");
+    if (config.refreshHz != config_.refreshHz)
+        throw config::ConfigError("output.refresh_hz: needs a restart");
     if (!(config.viewer == config_.viewer)) throw config::ConfigError("viewer: needs a restart");
     if (viewer_ && config.display != config_.display)
         throw config::ConfigError("display.profile: with a viewer it needs a restart");

@@ -36,6 +36,7 @@ wait = "yes"
 profile = "barrier-5view"
 [output]
 kind = "offscreen"
+refresh_hz = 59.94
 [sync]
 tolerance_ms = 7.5
 [reconnect]
@@ -135,6 +136,7 @@ level = "trace"
     expected.rig = "site.toml";
     expected.display = "barrier-5view";
     expected.output = Output::Offscreen;
+    expected.refreshHz = 59.94;
     expected.sync.tolerance = 7500us;
     expected.reconnect = {50ms, 60ms};
     const calib::DepthNoise noise{0.0005, 0.2, 0.002};
@@ -249,6 +251,8 @@ constexpr Malformed kMalformed[] = {
      "instanced, multipass, geometry, mrt, hybrid)"},
     {"[output]\nkind = true\n", "x.toml:2:8: output.kind: is a boolean, wanted a word "
                                 "(allowed auto, window, offscreen)"},
+    {"[output]\nrefresh_hz = -60\n",
+     "x.toml:2:14: output.refresh_hz: -60 is out of range (allowed 0 to 500)"},
     {"[input]\nuri = 7\n", "x.toml:2:7: input.uri: is an integer, wanted a string"},
     {"[picture]\nclear_color = [0, 0]\n",
      "x.toml:2:15: picture.clear_color: has 2 elements, wanted an array of 3 numbers "

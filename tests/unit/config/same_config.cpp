@@ -86,6 +86,7 @@ void expectSame(const Config& a, const Config& b) {
     EXPECT_EQ(a.display, b.display);
     EXPECT_EQ(a.rig, b.rig);
     EXPECT_EQ(a.output, b.output);
+    EXPECT_EQ(a.refreshHz, b.refreshHz);
     EXPECT_EQ(a.sync.tolerance, b.sync.tolerance);
     EXPECT_EQ(a.reconnect.firstDelay, b.reconnect.firstDelay);
     EXPECT_EQ(a.reconnect.longestDelay, b.reconnect.longestDelay);
