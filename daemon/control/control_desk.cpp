@@ -87,8 +87,14 @@ ControlReply ControlDesk::answerTo(const ControlRequest& request) {
     return std::visit([this](const auto& wish) { return answerTo(wish); }, request);
 }
 
+Status ControlDesk::status() {
+    Status status = session_.status();
+    if (page_) status.httpRefused = page_->refusals();
+    return status;
+}
+
 ControlReply ControlDesk::answerTo(const MetricsRequest& /*request*/) {
-    return {metricsText(session_.status(), session_.accounts(), residentMemory())};
+    return {metricsText(status(), session_.accounts(), residentMemory())};
 }
 
 ControlReply ControlDesk::answerTo(const PreviewRequest& request) {
@@ -101,7 +107,7 @@ ControlReply ControlDesk::answerTo(const PreviewRequest& request) {
 }
 
 ControlReply ControlDesk::answerTo(const StatusRequest& /*request*/) {
-    return {statusLine(session_.status(), session_.accounts())};
+    return {statusLine(status(), session_.accounts())};
 }
 
 ControlReply ControlDesk::answerTo(const SnapshotRequest& /*request*/) {

@@ -33,6 +33,8 @@ class ControlDesk {
     [[nodiscard]] ControlReply answerTo(const ReloadRequest& request);
     [[nodiscard]] ControlReply answerTo(const SetRequest& request);
     [[nodiscard]] ControlReply answerTo(const ShowRequest& request);
+    /// The session's, and the page's.
+    [[nodiscard]] Status status();
     void replaceConfiguration();
 
     SceneOptions options_;
