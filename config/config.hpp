@@ -79,6 +79,7 @@ struct Config {
     devices::ViewerParams viewer;
     IdleParams idle;
     RestParams rest;
+    devices::RingParams ring;
     ControlParams control;
     HttpParams http;
     LogParams log;

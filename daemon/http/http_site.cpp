@@ -214,7 +214,9 @@ void HttpSite::preview(const Request& request, PreviewRequest wish, Response& re
 void HttpSite::control(const Request& request, Response& response) {
     try {
         const ControlRequest wish = parseRequest(request.body);
-        if (std::holds_alternative<SnapshotRequest>(wish))
+        if (std::holds_alternative<RecordingRequest>(wish))
+            refuse(response, 400, "http: recordings are handed out over the control socket only");
+        else if (std::holds_alternative<SnapshotRequest>(wish))
             picture(wish, std::numeric_limits<int>::max(), response);
         else
             text(wish, kJson, response);

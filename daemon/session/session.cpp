@@ -44,7 +44,7 @@ Session::Session(const RunOptions& options, const config::Config& config, Tap se
     : config_(config), output_(options.output.value_or(chooseOutput(config))),
       realtime_(options.speed.value_or(config::Speed::Realtime) == config::Speed::Realtime),
       sensors_(std::move(sensors)),
-      recording_(options.record, options.speed.value_or(config::Speed::Realtime)),
+      recording_(options.record, options.speed.value_or(config::Speed::Realtime), config.ring),
       input_(isScene(config) || waitsForInput() ? std::nullopt
                                                 : std::make_optional(openScene(config, tap()))),
       scene_(isScene(config) ? std::make_optional(openMeshScene(config)) : std::nullopt),

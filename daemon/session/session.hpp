@@ -44,6 +44,8 @@ class Session {
     [[nodiscard]] Status status();
     [[nodiscard]] const Report& accounts();
     [[nodiscard]] gpu::RgbImage picture();
+    /// The cameras' last pictures; none: they are not kept.
+    [[nodiscard]] std::optional<devices::RecordingRing::Held> lastPictures() const;
     /// A small picture for the operator. Throws std::runtime_error where no camera's picture is
     /// shown: what was seen before is not to be taken for what is.
     [[nodiscard]] gpu::RgbImage preview(const PreviewRequest& request);

@@ -124,6 +124,9 @@ no_pairs = ""
 [control]
 socket = "/run/kiosk.sock"
 group = "museum"
+[record]
+ring_s = 12.5
+ring_mib = 64
 [http]
 listen = "192.168.1.5:80"
 allow_remote = true
@@ -167,6 +170,7 @@ level = "trace"
     expected.idle = {2500ms, {}, "a", "b", "c", "d", "e", ""};
     expected.rest = {{{0x1F, 540, 1080}, {0x40, 1200, 120}}, 1.5, 0.25, 500ms};
     expected.control = {"/run/kiosk.sock", "museum"};
+    expected.ring = {12500ms, std::size_t{64} << 20U};
     expected.http = {ListenAddress{"192.168.1.5", 80, false}, "/etc/token"};
     expected.log.level = "trace";
     expectSame(loadConfig("all.toml"), expected);
@@ -273,6 +277,8 @@ constexpr Malformed kMalformed[] = {
     {"[http]\nlisten = '0.0.0.0:8787'\n",
      "x.toml:2:10: http.listen: \"0.0.0.0:8787\" can be reached from other machines (allowed with "
      "http.allow_remote = true)"},
+    {"[record]\nring_mib = 0\n",
+     "x.toml:2:12: record.ring_mib: 0 is out of range (allowed 1 to 768)"},
     {"[http]\nlisten = 8787\n", "x.toml:2:10: http.listen: is an integer, wanted a string"},
     {"[picture]\nmode = '4d'\n", "x.toml:2:8: picture.mode: \"4d\" is unknown (allowed 3d, 2d)"},
     // Of several problems the first in the file.

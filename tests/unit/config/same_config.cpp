@@ -61,6 +61,7 @@ void expectSameService(const Config& a, const Config& b) {
     EXPECT_EQ(a.flat, b.flat);
     EXPECT_EQ(a.control.socket, b.control.socket);
     EXPECT_EQ(a.control.group, b.control.group);
+    EXPECT_EQ(a.ring, b.ring);
     EXPECT_EQ(a.http, b.http);
     EXPECT_EQ(a.idle.freeze, b.idle.freeze);
     EXPECT_EQ(a.idle.picture, b.idle.picture);

@@ -172,7 +172,7 @@ TEST_F(HttpServing, ControlsAreThoseOfTheSocketAndNothingIsRecorded) {
     const int before = told;
     for (const char* bad :
          {"", "{", "[]", R"({"command":"record"})", R"({"command":"snapshot","recording":true})",
-          R"({"command":"run"})", "\xFF\xFE", "status"})
+          R"({"command":"run"})", R"({"command":"recording"})", "\xFF\xFE", "status"})
         EXPECT_EQ(post(bad), 400) << bad;
     EXPECT_EQ(post(R"({"command":"reload"})", "text/plain"), 415);
     EXPECT_EQ(post(R"({"command":"reload"})", "application/x-www-form-urlencoded"), 415);
