@@ -68,6 +68,7 @@ struct Config {
     std::optional<std::string> rig;   ///< rig file; none: the input's own calibration
     std::optional<bool> wait;         ///< for an input that is not there; none: in a window
     std::optional<Output> output;     ///< none: window if there is a display, else off-screen
+    double refreshHz = 0;             ///< at which an off-screen panel takes pictures; 0: any time
     devices::SyncParams sync;
     devices::ReconnectParams reconnect;
     gpu::PipelineParams pipeline;
@@ -78,6 +79,7 @@ struct Config {
     devices::ViewerParams viewer;
     IdleParams idle;
     RestParams rest;
+    devices::RingParams ring;
     ControlParams control;
     HttpParams http;
     LogParams log;

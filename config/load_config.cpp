@@ -186,6 +186,7 @@ void readConfig(TomlReader& root, const std::filesystem::path& folder, Config& c
         "kind",
         {{"auto", std::nullopt}, {"window", Output::Window}, {"offscreen", Output::Offscreen}},
         config.output);
+    config.refreshHz = output.number("refresh_hz", {0, 500}, config.refreshHz);
 
     readTiming(root, config);
     readPipeline(root, config.pipeline);

@@ -79,6 +79,15 @@ void readHttp(TomlReader& root, const std::filesystem::path& folder, HttpParams&
     http.tokenFile = token.empty() ? "" : (folder / token).lexically_normal().string();
 }
 
+void readRing(TomlReader& root, devices::RingParams& ring) {
+    auto table = root.table("record");
+    const std::chrono::duration<double> length = ring.length;
+    ring.length = units::durationFromMs(1e3 * table.number("ring_s", {0, 600}, length.count()));
+    // What is handed out is an answer on the control socket: 1 GiB at most.
+    const int mib = static_cast<int>(ring.mostBytes >> 20U);
+    ring.mostBytes = static_cast<std::size_t>(table.integer("ring_mib", {1, 768}, mib)) << 20U;
+}
+
 } // namespace
 
 void readService(TomlReader& root, const std::filesystem::path& folder, Config& config) {
@@ -86,6 +95,7 @@ void readService(TomlReader& root, const std::filesystem::path& folder, Config& 
     config.control.socket = control.textOrAuto("socket", config.control.socket);
     config.control.group = control.text("group", config.control.group);
     readHttp(root, folder, config.http);
+    readRing(root, config.ring);
     readIdle(root, folder, config.idle);
     readRest(root, config.rest);
     readMessages(root, config.idle);

@@ -167,6 +167,7 @@ struct AllOptions {
     CalibrateRigOptions rig;
     CalibrateTimingOptions timing;
     CalibrateDisplayOptions display;
+    LatencyOptions latency;
     ControlOptions control;
 };
 
@@ -175,6 +176,7 @@ void addCommands(CLI::App& app, AllOptions& all) {
     addRecord(app, all.record);
     addRender(app, all.render);
     addDisplayCommands(app, all.interleave, all.viewmap, all.look, all.pattern, all.import);
+    addLatency(app, all.latency);
     addCheck(app, all.check);
     addDevices(app, all.devices);
     addBench(app, all.bench);
@@ -208,7 +210,8 @@ CommandLine chosen(const CLI::App& app, const AllOptions& all) {
         {"import", all.import},   {"bench", all.bench},     {"noise", all.noise},
         {"cameras", all.cameras}, {"rig", all.rig},         {"timing", all.timing},
         {"display", all.display}, {"status", all.control},  {"snapshot", all.control},
-        {"reload", all.control},  {"set", all.control},     {"show", all.control}};
+        {"reload", all.control},  {"set", all.control},     {"show", all.control},
+        {"latency", all.latency}};
     for (const CLI::App* command : app.get_subcommands()) {
         while (!command->get_subcommands().empty()) // calibrate's
             command = command->get_subcommands().front();
@@ -216,7 +219,8 @@ CommandLine chosen(const CLI::App& app, const AllOptions& all) {
     }
     throw UsageError(
         "no command given (run, record, render, interleave, viewmap, look, pattern, import, "
-        "calibrate, check, devices, bench, status, snapshot, reload, set, show): see autostereo "
+        "calibrate, check, devices, bench, latency, status, snapshot, reload, set, show): see "
+        "autostereo "
         "--help");
 }
 

@@ -172,6 +172,16 @@ struct CalibrateCamerasOptions : BoardOptions {};
 struct CalibrateRigOptions : BoardOptions {};
 struct CalibrateTimingOptions : BoardOptions {};
 
+/// How long the panel and a camera in front of it take.
+struct LatencyOptions {
+    std::optional<std::filesystem::path> config;
+    std::optional<std::string> display;
+    std::string camera =
+        "sim"; ///< input with a live colour camera; "sim...": sees the panel made up
+    double seconds = 10;
+    bool json = false;
+};
+
 /// A request to a running program.
 struct ControlOptions {
     ControlRequest request;
@@ -189,7 +199,8 @@ using CommandLine =
     std::variant<RunOptions, RecordOptions, RenderOptions, CheckOptions, DevicesOptions,
                  InterleaveOptions, ViewmapOptions, LookOptions, PatternOptions, ImportOptions,
                  BenchOptions, CalibrateNoiseOptions, CalibrateCamerasOptions, CalibrateRigOptions,
-                 CalibrateTimingOptions, CalibrateDisplayOptions, ControlOptions, Information>;
+                 CalibrateTimingOptions, CalibrateDisplayOptions, LatencyOptions, ControlOptions,
+                 Information>;
 
 /// Throws UsageError. Commands and options of later versions are known and say so.
 [[nodiscard]] CommandLine parseCommandLine(int argc, const char* const* argv);

@@ -55,6 +55,9 @@ inline auto vector3(std::optional<glm::dvec3>& to, const char* option) {
 void addDisplayCommands(CLI::App& app, InterleaveOptions& interleave, ViewmapOptions& viewmap,
                         LookOptions& look, PatternOptions& pattern, ImportOptions& import);
 
+/// Adds "latency".
+void addLatency(CLI::App& app, LatencyOptions& latency);
+
 /// Adds "status", "snapshot", "reload", "set" and "show".
 void addControlCommands(CLI::App& app, ControlOptions& control);
 

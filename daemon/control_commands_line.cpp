@@ -39,7 +39,10 @@ void addControlCommands(CLI::App& app, ControlOptions& control) {
 
     CLI::App* snapshot =
         addControl(app, control, "snapshot", "The panel of a running program", SnapshotRequest{});
-    snapshot->add_option("file", control.output, "PNG")->required();
+    snapshot->add_option("file", control.output, "PNG, or Matroska with --recording")->required();
+    snapshot->add_flag_callback(
+        "--recording", [&control] { control.request = RecordingRequest{}; },
+        "The cameras' last seconds instead, where [record] ring_s keeps them");
     snapshot->footer("Example: autostereo snapshot panel.png");
 
     CLI::App* reload = addControl(app, control, "reload",

@@ -145,6 +145,22 @@ void addImport(CLI::App& app, ImportOptions& options) {
 
 } // namespace
 
+void addLatency(CLI::App& app, LatencyOptions& options) {
+    CLI::App* command = app.add_subcommand(
+        "latency", "How long the panel and a camera that looks at it take: from swap to light and "
+                   "to the camera's picture on the host");
+    command->add_option("--config", options.config, "Configuration file, TOML");
+    command->add_option("--display", options.display,
+                        "Display profile: a shipped name or a file (default: recognised)");
+    command->add_option("--camera", options.camera,
+                        "v4l2:... or another input with colour, which sees the whole panel; sim: "
+                        "a made-up one (sim:panel?delay_ms=20&exposure_ms=8)");
+    // Each number is shown once, and stands for 50 ms at least.
+    command->add_option("--seconds", options.seconds, "How long")->check(CLI::Range(1.0, 50.0));
+    command->add_flag("--json", options.json, "Figures on standard output");
+    command->footer("Example: autostereo latency --camera v4l2:/dev/video0");
+}
+
 void addDisplayCommands(CLI::App& app, InterleaveOptions& interleave, ViewmapOptions& viewmap,
                         LookOptions& look, PatternOptions& pattern, ImportOptions& import) {
     addInterleave(app, interleave);

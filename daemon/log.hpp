@@ -4,7 +4,8 @@
 
 namespace autostereo::daemon {
 
-/// Log to stderr without time stamps (the journal adds them): "[warning] text".
+/// Log to stderr without time stamps: "[warning] text"; to the journal itself, with fields, where
+/// it reads our stderr.
 void setUpLog(const std::string& level);
 
 } // namespace autostereo::daemon

@@ -33,6 +33,7 @@ int perform(const daemon::CommandLine& command) {
             [](const daemon::PatternOptions& options) { return daemon::pattern(options); },
             [](const daemon::BenchOptions& options) { return daemon::benchmark(options); },
             [](const daemon::ImportOptions& options) { return daemon::importCalibration(options); },
+            [](const daemon::LatencyOptions& options) { return daemon::measureLatency(options); },
             [](const daemon::ControlOptions& options) { return daemon::control(options); },
             [](const daemon::CalibrateNoiseOptions& options) {
                 return daemon::calibrateNoise(options);

@@ -129,20 +129,38 @@ devices::Input openScene(const config::Config& config, const Tap& tap) {
     return devices::completeStreams(std::move(input));
 }
 
+Recording::Recording(std::optional<std::filesystem::path> file, config::Speed speed,
+                     const devices::RingParams& ring)
+    : file_(std::move(file)), speed_(speed) {
+    if (ring.length == devices::Duration{0}) return;
+    ring_ = std::make_shared<devices::RecordingRing>(ring);
+    spdlog::info("record: the cameras' last {:g} s stay in memory, {} MiB at most",
+                 std::chrono::duration<double>(ring.length).count(), ring.mostBytes >> 20U);
+}
+
 Tap Recording::tap(const config::Config& config) {
-    if (!file_) return {};
+    if (!file_ && !ring_) return {};
     for (const std::string& input : {config.input, config.color.value_or(config.input)}) {
         std::error_code none; // a file that is not there is no input
-        if (std::filesystem::equivalent(*file_, devices::parseUri(input).path, none))
+        if (file_ && std::filesystem::equivalent(*file_, devices::parseUri(input).path, none))
             throw UsageError("cannot record to " + file_->string() +
                              ": it is the input itself, which would be lost; name another file");
     }
-    return [this](devices::Input input) {
-        using WhenBehind = devices::Recorder::WhenBehind;
+    return [this](devices::Input input) { return record(std::move(input)); };
+}
+
+devices::Input Recording::record(devices::Input input) {
+    using WhenBehind = devices::Recorder::WhenBehind;
+    if (file_) {
         recorder_ = std::make_shared<devices::Recorder>(
             *file_, input, speed_ == config::Speed::Max ? WhenBehind::Wait : WhenBehind::LeaveOut);
-        return devices::recorded(std::move(input), recorder_);
-    };
+        input = devices::recorded(std::move(input), recorder_);
+    }
+    if (ring_) {
+        ring_->begin(devices::headOf(input));
+        input = devices::recorded(std::move(input), ring_);
+    }
+    return input;
 }
 
 void Recording::finish() {
@@ -180,7 +198,7 @@ config::Output chooseOutput(const config::Config& config) {
 }
 
 std::unique_ptr<gpu::Panel> openPanel(const calib::DisplayProfile& display, config::Output output,
-                                      bool force, const std::string& connector) {
+                                      bool force, double refreshHz, const std::string& connector) {
     if (output == config::Output::Window) {
         auto window = std::make_unique<gpu::WindowPanel>(
             gpu::MonitorRequest{display.width, display.height, connector, force}, kDebugContext);
@@ -188,7 +206,7 @@ std::unique_ptr<gpu::Panel> openPanel(const calib::DisplayProfile& display, conf
         return window;
     }
     const PanelSize size = offscreenSize(display);
-    return std::make_unique<gpu::OffscreenPanel>(size.width, size.height, kDebugContext);
+    return std::make_unique<gpu::OffscreenPanel>(size.width, size.height, kDebugContext, refreshHz);
 }
 
 PanelSize offscreenSize(const calib::DisplayProfile& display) {

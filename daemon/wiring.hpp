@@ -5,6 +5,7 @@
 #include "devices/feed.hpp"
 #include "devices/input.hpp"
 #include "devices/record/recorder.hpp"
+#include "devices/record/recording_ring.hpp"
 #include "gpu/panel.hpp"
 
 #include <functional>
@@ -40,9 +41,9 @@ using Tap = std::function<devices::Input(devices::Input)>;
 /// What records a session's sensors, and what it came to.
 class Recording {
   public:
-    /// Nothing is recorded without a file.
-    Recording(std::optional<std::filesystem::path> file, config::Speed speed)
-        : file_(std::move(file)), speed_(speed) {}
+    /// Nothing is recorded without a file, nothing kept in memory without a ring's length.
+    Recording(std::optional<std::filesystem::path> file, config::Speed speed,
+              const devices::RingParams& ring);
     /// For the inputs of `config`, none of which may be the file itself. Throws UsageError.
     [[nodiscard]] Tap tap(const config::Config& config);
     /// Closes the file and logs what is in it. After the feed is gone.
@@ -50,10 +51,16 @@ class Recording {
     /// Nothing where nothing is recorded.
     [[nodiscard]] std::optional<devices::Recorder::Counters> counters() const;
 
+    /// None: nothing is kept.
+    [[nodiscard]] const devices::RecordingRing* ring() const { return ring_.get(); }
+
   private:
+    [[nodiscard]] devices::Input record(devices::Input input);
+
     std::optional<std::filesystem::path> file_;
     config::Speed speed_;
     std::shared_ptr<devices::Recorder> recorder_;
+    std::shared_ptr<devices::RecordingRing> ring_;
 };
 
 /// realtime: two sensor threads; max: every frame in order. `clock` must outlive the feed.
@@ -63,9 +70,11 @@ class Recording {
                                                       devices::Clock& clock);
 
 /// A window where one was asked for or a display server is there; else off-screen. `connector`, the
-/// kernel's name, says which monitor; empty: by size. Throws GlError.
+/// kernel's name, says which monitor; empty: by size. `refreshHz`: of an off-screen one, 0: none.
+/// Throws GlError.
 [[nodiscard]] std::unique_ptr<gpu::Panel> openPanel(const calib::DisplayProfile& display,
                                                     config::Output output, bool force,
+                                                    double refreshHz = 0,
                                                     const std::string& connector = {});
 [[nodiscard]] config::Output chooseOutput(const config::Config& config);
 

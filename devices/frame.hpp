@@ -66,6 +66,7 @@ struct FrameMetadata {
     int height = 0;
     std::uint64_t sequence = 0; ///< per stream; gaps are frames the source lost
     TimePoint capturedAt{};     ///< middle of the exposure
+    TimePoint arrivedAt{};      ///< live: on the host, whole; else not set
     double depthUnitM = 0.001;  ///< metres per count, Depth16 only
     YuvMatrix matrix = YuvMatrix::Auto;
     YuvRange range = YuvRange::Auto;

@@ -24,7 +24,9 @@ void FrameSync::Stream::push(Frame frame, TimePoint arrivedAt, std::size_t limit
         return;
     }
     const bool steppedBack = last && time < *last;
-    spacing = last && !steppedBack ? apart(time, *last) : Duration{0};
+    const Duration before =
+        std::exchange(step, last && !steppedBack ? apart(time, *last) : Duration{0});
+    spacing = before > Duration{0} ? std::min(step, before) : step;
     last = time;
     if (steppedBack) discardOldest(waiting.size());
     if (waiting.size() == limit) discardOldest(1);

@@ -51,7 +51,8 @@ class FrameSync {
     struct Stream {
         std::vector<Waiting> waiting; ///< oldest first
         std::optional<TimePoint> last;
-        Duration spacing{0}; ///< between the last two frames, 0: unknown
+        Duration step{0};    ///< between the last two frames, 0: unknown
+        Duration spacing{0}; ///< likewise, but not across a frame that was lost
         std::uint64_t paired = 0;
         std::uint64_t unpaired = 0;
 

@@ -2,9 +2,8 @@
 
 #include "devices/doorbell.hpp"
 #include "devices/feed.hpp"
-#include "devices/frame_queue.hpp"
-#include "devices/frame_sync.hpp"
 #include "devices/input.hpp"
+#include "devices/newest_pair.hpp"
 #include "devices/source_thread.hpp"
 
 namespace autostereo::devices {
@@ -21,18 +20,12 @@ class LiveFeed final : public Feed {
     [[nodiscard]] bool ended() const noexcept override { return ended_; }
     [[nodiscard]] FeedCounters counters() const noexcept override;
     [[nodiscard]] SensorStatuses sensors() const override;
-    [[nodiscard]] Frame takeColor() noexcept override { return sync_.takeColor(); }
+    [[nodiscard]] Frame takeColor() noexcept override { return pairs_.takeColor(); }
 
   private:
-    [[nodiscard]] std::optional<RgbdFrame> newestPair(bool last);
-    void settle(std::optional<RgbdFrame>& newest);
-
     Clock& clock_;
-    FrameSync sync_;
-    FrameQueue<Frame> depthQueue_;
-    FrameQueue<Frame> colorQueue_;
+    NewestPair pairs_;
     Doorbell bell_;
-    std::uint64_t dropped_ = 0;
     bool ended_ = false;
     // Last, so that the threads end before what they use.
     SourceThread depth_;

@@ -57,6 +57,7 @@ void SourceThread::run(const std::stop_token& stop) {
 
 bool SourceThread::handle(ReadResult& result, const std::stop_token& stop) {
     if (auto* frame = std::get_if<Frame>(&result)) {
+        frame->metadata().arrivedAt = clock_.now();
         queue_.push(std::move(*frame));
         bell_.ring();
         note(SensorState::Streaming);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "devices/clock.hpp"
 #include "gpu/gl/context.hpp"
 #include "gpu/gl/objects.hpp"
 #include "gpu/panel.hpp"
@@ -9,8 +10,8 @@ namespace autostereo::gpu {
 /// A panel without a monitor: surfaceless context and an RGBA8 framebuffer of the asked size.
 class OffscreenPanel final : public Panel {
   public:
-    /// Throws GlError.
-    OffscreenPanel(int width, int height, bool debugContext);
+    /// `refreshHz`: pictures leave at the ticks of a monitor's clock, 0: at once. Throws GlError.
+    OffscreenPanel(int width, int height, bool debugContext, double refreshHz = 0);
 
     [[nodiscard]] int width() const override { return color_.width(); }
     [[nodiscard]] int height() const override { return color_.height(); }
@@ -24,6 +25,8 @@ class OffscreenPanel final : public Panel {
     gl::SurfacelessContext context_;
     gl::Texture color_;
     gl::Framebuffer framebuffer_;
+    devices::SteadyClock clock_;
+    devices::Duration refresh_; ///< 0: none
 };
 
 } // namespace autostereo::gpu

@@ -16,7 +16,8 @@ class Panel {
     [[nodiscard]] virtual int width() const = 0; ///< pixels, unscaled
     [[nodiscard]] virtual int height() const = 0;
     [[nodiscard]] virtual GLuint framebuffer() const = 0;
-    /// Throws PanelLost.
+    /// Returns when the picture is out, as far as the driver tells: nothing is queued. Throws
+    /// PanelLost.
     virtual void present() = 0;
     /// Throws PanelLost.
     virtual void pollEvents() = 0;

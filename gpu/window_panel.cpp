@@ -144,8 +144,11 @@ WindowPanel::~WindowPanel() {
     if (window_ != nullptr) glfwDestroyWindow(window_);
 }
 
+// A driver may queue swaps; then the next picture would be chosen while this one still waits for
+// its vertical sync, and be that much older when its turn comes.
 void WindowPanel::present() {
     glfwSwapBuffers(window_);
+    glFinish();
     gl::throwIfReset();
 }
 

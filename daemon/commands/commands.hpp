@@ -20,6 +20,7 @@ int calibrateTiming(const BoardOptions& options);
 int calibrateDisplay(const CalibrateDisplayOptions& options);
 int calibrateNoise(const CalibrateNoiseOptions& options);
 int benchmark(const BenchOptions& options);
+int measureLatency(const LatencyOptions& options);
 int control(const ControlOptions& options);
 int importCalibration(const ImportOptions& options);
 

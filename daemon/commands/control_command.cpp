@@ -3,10 +3,12 @@
 #include "daemon/control/control_socket.hpp"
 #include "daemon/picture_files.hpp"
 #include "daemon/session/status.hpp"
+#include "devices/replay/whole_file.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <span>
 
 namespace autostereo::daemon {
 
@@ -39,6 +41,12 @@ void writeSnapshot(const std::filesystem::path& file, const nlohmann::json& line
     writePicturePng(file, image);
 }
 
+void writeRecording(const std::filesystem::path& file, const ControlAnswer& answer) {
+    const auto bytes = std::as_bytes(std::span(answer.bytes));
+    devices::writeWhole(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                        "snapshot: ");
+}
+
 } // namespace
 
 int control(const ControlOptions& options) try {
@@ -51,6 +59,8 @@ int control(const ControlOptions& options) try {
     }
     if (std::holds_alternative<SnapshotRequest>(options.request))
         writeSnapshot(options.output, line, std::move(answer));
+    else if (std::holds_alternative<RecordingRequest>(options.request))
+        writeRecording(options.output, answer);
     else if (std::holds_alternative<StatusRequest>(options.request))
         std::cout << (options.json ? answer.line + '\n' : statusText(answer.line));
     return EXIT_SUCCESS;

@@ -127,7 +127,8 @@ int tuneDisplay(const CalibrateDisplayOptions& options) {
     config.display = options.display;
     const StopSignal stop;
     ChosenDisplay chosen = chooseWindowDisplay(config, false);
-    const auto panel = openPanel(chosen.profile, config::Output::Window, false, chosen.connector);
+    const auto panel =
+        openPanel(chosen.profile, config::Output::Window, false, 0, chosen.connector);
     const bool saved = TuningDesk(options, std::move(chosen.profile), *panel).run(stop);
     std::printf("%s\n",
                 saved ? ("saved " + options.output.string()).c_str() : "left, nothing saved");

@@ -9,6 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include <chrono>
+#include <utility>
+
 namespace autostereo::daemon {
 
 namespace {
@@ -26,6 +29,15 @@ ControlReply pictureReply(gpu::RgbImage image) {
                                       {"bytes", image.pixels.size()}};
     return {line.dump(),
             std::make_shared<const std::vector<std::uint8_t>>(std::move(image.pixels))};
+}
+
+ControlReply recordingReply(const devices::RecordingRing::Held& held) try {
+    auto bytes = std::make_shared<const std::vector<std::uint8_t>>(devices::recordingOf(held));
+    const nlohmann::ordered_json line{
+        {"ok", true}, {"pictures", held.pictures.size()}, {"bytes", bytes->size()}};
+    return {line.dump(), std::move(bytes)};
+} catch (const std::exception& error) {
+    return refusal(error.what(), kFailed);
 }
 
 std::optional<std::filesystem::path> socketOf(const config::ControlParams& params) {
@@ -62,13 +74,38 @@ void ControlDesk::serve() {
     for (int i = 0; server_ && i < kMostAtOnce; ++i) {
         const auto asked = server_->take();
         if (!asked) break;
-        server_->answer(asked->client, answer(asked->request));
+        hand(*asked);
     }
+    if (recording_.valid() &&
+        recording_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        server_->answer(recordingFor_, recording_.get());
     for (int i = 0; page_ && i < kMostOfPage; ++i) {
         const auto question = page_->take();
         if (!question) break;
         page_->answer(answer(*question));
     }
+}
+
+void ControlDesk::hand(const ControlServer::Asked& asked) {
+    if (std::holds_alternative<RecordingRequest>(asked.request))
+        handRecording(asked.client);
+    else
+        server_->answer(asked.client, answer(asked.request));
+}
+
+void ControlDesk::handRecording(std::uint64_t client) {
+    auto last = session_.lastPictures();
+    if (recording_.valid())
+        return server_->answer(client,
+                               refusal("recording: another one is being handed out", kNotNow));
+    if (!last)
+        return server_->answer(
+            client, refusal("recording: nothing is kept ([record] ring_s is 0)", kFailed));
+    if (last->pictures.empty())
+        return server_->answer(client, refusal("recording: no pictures came lately", kFailed));
+    recordingFor_ = client;
+    recording_ =
+        std::async(std::launch::async, [held = std::move(*last)] { return recordingReply(held); });
 }
 
 ControlReply ControlDesk::answer(const Question& question) try {
@@ -87,8 +124,14 @@ ControlReply ControlDesk::answerTo(const ControlRequest& request) {
     return std::visit([this](const auto& wish) { return answerTo(wish); }, request);
 }
 
+Status ControlDesk::status() {
+    Status status = session_.status();
+    if (page_) status.httpRefused = page_->refusals();
+    return status;
+}
+
 ControlReply ControlDesk::answerTo(const MetricsRequest& /*request*/) {
-    return {metricsText(session_.status(), session_.accounts(), residentMemory())};
+    return {metricsText(status(), session_.accounts(), residentMemory())};
 }
 
 ControlReply ControlDesk::answerTo(const PreviewRequest& request) {
@@ -101,11 +144,15 @@ ControlReply ControlDesk::answerTo(const PreviewRequest& request) {
 }
 
 ControlReply ControlDesk::answerTo(const StatusRequest& /*request*/) {
-    return {statusLine(session_.status(), session_.accounts())};
+    return {statusLine(status(), session_.accounts())};
 }
 
 ControlReply ControlDesk::answerTo(const SnapshotRequest& /*request*/) {
     return pictureReply(session_.picture());
+}
+
+ControlReply ControlDesk::answerTo(const RecordingRequest& /*request*/) {
+    return refusal("recording: only over the control socket", kBadRequest);
 }
 
 ControlReply ControlDesk::answerTo(const ReloadRequest& /*request*/) {

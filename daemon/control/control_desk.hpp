@@ -6,6 +6,7 @@
 #include "daemon/http/http_server.hpp"
 #include "daemon/session/session.hpp"
 
+#include <future>
 #include <memory>
 
 namespace autostereo::daemon {
@@ -24,15 +25,20 @@ class ControlDesk {
 
   private:
     void openPage();
+    void hand(const ControlServer::Asked& asked);
+    void handRecording(std::uint64_t client);
     [[nodiscard]] ControlReply answer(const Question& question);
     [[nodiscard]] ControlReply answerTo(const ControlRequest& request);
     [[nodiscard]] ControlReply answerTo(const MetricsRequest& request);
     [[nodiscard]] ControlReply answerTo(const PreviewRequest& request);
     [[nodiscard]] ControlReply answerTo(const StatusRequest& request);
     [[nodiscard]] ControlReply answerTo(const SnapshotRequest& request);
+    [[nodiscard]] ControlReply answerTo(const RecordingRequest& request);
     [[nodiscard]] ControlReply answerTo(const ReloadRequest& request);
     [[nodiscard]] ControlReply answerTo(const SetRequest& request);
     [[nodiscard]] ControlReply answerTo(const ShowRequest& request);
+    /// The session's, and the page's.
+    [[nodiscard]] Status status();
     void replaceConfiguration();
 
     SceneOptions options_;
@@ -40,6 +46,8 @@ class ControlDesk {
     Session& session_;
     TimeShare previews_{4};                 ///< a fifth of the time at most
     std::unique_ptr<ControlServer> server_; ///< none: no socket
+    std::uint64_t recordingFor_ = 0;        ///< whom the next is for
+    std::future<ControlReply> recording_;   ///< being put together on a thread of its own
     std::unique_ptr<HttpServer> page_;      ///< none: no page
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kCommands = "status, snapshot, reload, set, show";
+constexpr std::string_view kCommands = "status, snapshot, recording, reload, set, show";
 
 std::string quoted(const std::string& text) {
     return Json(text).dump(-1, ' ', true, Json::error_handler_t::replace);
@@ -56,6 +56,7 @@ ControlRequest parseRequest(std::string_view line) {
     allowOnly(request, {"command"});
     if (command == "status") return StatusRequest{};
     if (command == "snapshot") return SnapshotRequest{};
+    if (command == "recording") return RecordingRequest{};
     if (command == "reload") return ReloadRequest{};
     throw RequestError("request: command " + quoted(command).substr(0, 80) +
                        " is unknown (allowed " + std::string(kCommands) + ")");
@@ -66,6 +67,9 @@ std::string requestLine(const ControlRequest& request) {
         Json operator()(const StatusRequest& /*request*/) const { return {{"command", "status"}}; }
         Json operator()(const SnapshotRequest& /*request*/) const {
             return {{"command", "snapshot"}};
+        }
+        Json operator()(const RecordingRequest& /*request*/) const {
+            return {{"command", "recording"}};
         }
         Json operator()(const ReloadRequest& /*request*/) const { return {{"command", "reload"}}; }
         Json operator()(const SetRequest& set) const {

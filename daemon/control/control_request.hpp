@@ -14,9 +14,10 @@ class RequestError : public std::runtime_error {
 };
 
 // What a running program is asked and told, each as a JSON object in a line of its own:
-struct StatusRequest {};   ///< {"command": "status"}
-struct SnapshotRequest {}; ///< {"command": "snapshot"}
-struct ReloadRequest {};   ///< {"command": "reload"}
+struct StatusRequest {};    ///< {"command": "status"}
+struct SnapshotRequest {};  ///< {"command": "snapshot"}
+struct RecordingRequest {}; ///< {"command": "recording"}: the last seconds, Matroska
+struct ReloadRequest {};    ///< {"command": "reload"}
 /// {"command": "set", "name": "scale", "value": "0.5"}; the value may be a number, too.
 struct SetRequest {
     std::string name, value;
@@ -25,8 +26,8 @@ struct SetRequest {
 struct ShowRequest {
     std::string what;
 };
-using ControlRequest =
-    std::variant<StatusRequest, SnapshotRequest, ReloadRequest, SetRequest, ShowRequest>;
+using ControlRequest = std::variant<StatusRequest, SnapshotRequest, RecordingRequest, ReloadRequest,
+                                    SetRequest, ShowRequest>;
 
 /// Longer lines are refused unread.
 inline constexpr std::size_t kLongestRequest = 4096; // bytes

@@ -64,8 +64,9 @@ std::uint16_t portOf(const devices::UniqueFd& socket) {
 
 } // namespace
 
-HttpListener::HttpListener(const config::ListenAddress& address, Serve serve)
-    : serve_(std::move(serve)), listener_(listenOn(address)),
+HttpListener::HttpListener(const config::ListenAddress& address, Serve serve,
+                           HttpRefusals& refusals)
+    : serve_(std::move(serve)), refusals_(refusals), listener_(listenOn(address)),
       bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), port_(portOf(listener_)) {
     if (!bell_) throw ControlError("http: cannot make an event counter");
     threads_.emplace_back([this] { accept(); });
@@ -105,6 +106,7 @@ void HttpListener::accept() {
             waiting_.push_back(std::move(socket));
             changed_.notify_one();
         } else {
+            refusals_.note(503);
             ::send(socket.get(), kFull.data(), kFull.size(), MSG_NOSIGNAL);
         }
     }

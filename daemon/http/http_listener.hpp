@@ -1,6 +1,7 @@
 #pragma once
 
 #include "config/listen_address.hpp"
+#include "daemon/http/http_refusals.hpp"
 #include "devices/unique_fd.hpp"
 
 #include <condition_variable>
@@ -21,8 +22,8 @@ class HttpListener {
     /// Serves one connection: a non-blocking socket, closed afterwards. Called on any thread, by
     /// several at once.
     using Serve = std::function<void(int socket)>;
-    /// Throws ControlError.
-    HttpListener(const config::ListenAddress& address, Serve serve);
+    /// `refusals`, which counts those turned away, must outlive it. Throws ControlError.
+    HttpListener(const config::ListenAddress& address, Serve serve, HttpRefusals& refusals);
     ~HttpListener();
     HttpListener(const HttpListener&) = delete;
     HttpListener& operator=(const HttpListener&) = delete;
@@ -34,6 +35,7 @@ class HttpListener {
     void work();
 
     Serve serve_;
+    HttpRefusals& refusals_;
     devices::UniqueFd listener_;
     devices::UniqueFd bell_; ///< rung by the end
     std::uint16_t port_;

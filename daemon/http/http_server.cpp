@@ -15,9 +15,9 @@ HttpToken tokenOf(const config::HttpParams& params) {
 
 HttpServer::HttpServer(const config::HttpParams& params, const HttpLimits& limits)
     : listen_(params.listen.value()),
-      site_(std::make_unique<HttpSite>(listen_.loopback, tokenOf(params), box_, limits)),
-      listener_(
-          std::make_unique<HttpListener>(listen_, [this](int socket) { site_->serve(socket); })) {}
+      site_(std::make_unique<HttpSite>(listen_.loopback, tokenOf(params), box_, refusals_, limits)),
+      listener_(std::make_unique<HttpListener>(
+          listen_, [this](int socket) { site_->serve(socket); }, refusals_)) {}
 
 HttpServer::~HttpServer() { box_.close(); }
 

@@ -2,6 +2,7 @@
 
 #include "config/config.hpp"
 #include "daemon/http/http_limits.hpp"
+#include "daemon/http/http_refusals.hpp"
 #include "daemon/http/question_box.hpp"
 
 #include <cstdint>
@@ -32,9 +33,13 @@ class HttpServer {
     [[nodiscard]] std::optional<Question> take() { return box_.take(); }
     void answer(ControlReply reply) { box_.answer(std::move(reply)); }
 
+    /// Since it listens, by status. Thread-safe.
+    [[nodiscard]] HttpRefusals::Counts refusals() const { return refusals_.counts(); }
+
   private:
     config::ListenAddress listen_;
     QuestionBox box_;
+    HttpRefusals refusals_;
     std::unique_ptr<HttpSite> site_;
     std::unique_ptr<HttpListener> listener_; // last: its threads use all of the above
 };

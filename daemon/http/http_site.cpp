@@ -58,16 +58,12 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text;
 }
 
-void sayLastWord(HttpStream& stream, const char* status) {
-    stream.write("HTTP/1.1 " + std::string(status) +
-                 "\r\nConnection: close\r\nContent-Length: 0\r\n\r\n");
-}
-
 } // namespace
 
-HttpSite::HttpSite(bool loopback, HttpToken token, QuestionBox& box, const HttpLimits& limits)
-    : loopback_(loopback), token_(std::move(token)), box_(box), limits_(limits),
-      pictures_(kPicturesPerSecond) {
+HttpSite::HttpSite(bool loopback, HttpToken token, QuestionBox& box, HttpRefusals& refusals,
+                   const HttpLimits& limits)
+    : loopback_(loopback), token_(std::move(token)), box_(box), refusals_(refusals),
+      limits_(limits), pictures_(kPicturesPerSecond) {
     set_payload_max_length(limits.body);
     set_default_headers({{"Cache-Control", "no-store"},
                          {"X-Content-Type-Options", "nosniff"},
@@ -87,6 +83,9 @@ HttpSite::HttpSite(bool loopback, HttpToken token, QuestionBox& box, const HttpL
     set_error_handler([](const Request& /*request*/, Response& response) {
         if (response.body.empty())
             refuse(response, response.status, "http: nothing here answers such a request");
+    });
+    set_logger([this](const Request& /*request*/, const Response& response) {
+        refusals_.note(response.status);
     });
     addRoutes();
 }
@@ -119,15 +118,21 @@ void HttpSite::serve(int socket) {
         break;
     }
     case HttpStream::Head::TooLarge:
-        sayLastWord(stream, "431 Request Header Fields Too Large");
+        turnAway(stream, 431, "Request Header Fields Too Large");
         break;
     case HttpStream::Head::Late:
-        sayLastWord(stream, "408 Request Timeout");
+        turnAway(stream, 408, "Request Timeout");
         break;
     case HttpStream::Head::Gone:
         return;
     }
     stream.end();
+}
+
+void HttpSite::turnAway(HttpStream& stream, int status, const char* reason) {
+    stream.write("HTTP/1.1 " + std::to_string(status) + ' ' + reason +
+                 "\r\nConnection: close\r\nContent-Length: 0\r\n\r\n");
+    refusals_.note(status);
 }
 
 bool HttpSite::admits(const Request& request, Response& response) const {
@@ -209,7 +214,9 @@ void HttpSite::preview(const Request& request, PreviewRequest wish, Response& re
 void HttpSite::control(const Request& request, Response& response) {
     try {
         const ControlRequest wish = parseRequest(request.body);
-        if (std::holds_alternative<SnapshotRequest>(wish))
+        if (std::holds_alternative<RecordingRequest>(wish))
+            refuse(response, 400, "http: recordings are handed out over the control socket only");
+        else if (std::holds_alternative<SnapshotRequest>(wish))
             picture(wish, std::numeric_limits<int>::max(), response);
         else
             text(wish, kJson, response);

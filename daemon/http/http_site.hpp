@@ -1,6 +1,7 @@
 #pragma once
 
 #include "daemon/http/http_guard.hpp"
+#include "daemon/http/http_refusals.hpp"
 #include "daemon/http/http_stream.hpp"
 #include "daemon/http/question_box.hpp"
 #include "daemon/http/rate_limit.hpp"
@@ -19,8 +20,10 @@ namespace autostereo::daemon {
 /// own thread. Reentrant once constructed.
 class HttpSite : private httplib::Server {
   public:
-    /// `box` must outlive it. `loopback`: it listens where only this machine can reach it.
-    HttpSite(bool loopback, HttpToken token, QuestionBox& box, const HttpLimits& limits);
+    /// `box` and `refusals`, which counts them, must outlive it. `loopback`: it listens where only
+    /// this machine can reach it.
+    HttpSite(bool loopback, HttpToken token, QuestionBox& box, HttpRefusals& refusals,
+             const HttpLimits& limits);
 
     /// One connection: a request, its reply. Does not close the socket.
     void serve(int socket);
@@ -30,6 +33,7 @@ class HttpSite : private httplib::Server {
     using Response = httplib::Response;
 
     void addRoutes();
+    void turnAway(HttpStream& stream, int status, const char* reason);
     /// Whether the request may go on; else the response says why not.
     [[nodiscard]] bool admits(const Request& request, Response& response) const;
     [[nodiscard]] bool opensFor(const Request& request, Response& response) const;
@@ -44,6 +48,7 @@ class HttpSite : private httplib::Server {
     bool loopback_;
     HttpToken token_;
     QuestionBox& box_;
+    HttpRefusals& refusals_;
     HttpLimits limits_;
     RateLimit pictures_;
 };

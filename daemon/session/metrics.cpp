@@ -154,6 +154,13 @@ void writeStages(Exposition& to, const Report& report) {
               static_cast<double>(report.gpuObjects));
 }
 
+void writeHttp(Exposition& to, const Status& status) {
+    if (!status.httpRefused) return;
+    to.family("autostereo_http_refused_total", "counter", "HTTP requests refused, by status.");
+    for (const auto& [code, count] : *status.httpRefused)
+        to.sample(count, {{"status", std::to_string(code)}});
+}
+
 } // namespace
 
 std::string metricsText(const Status& status, const Report& report, std::uint64_t residentBytes) {
@@ -174,6 +181,7 @@ std::string metricsText(const Status& status, const Report& report, std::uint64_
     writeFrames(to, report);
     writeLatency(to, report.latencyHistogram);
     writeStages(to, report);
+    writeHttp(to, status);
     return to.take();
 }
 

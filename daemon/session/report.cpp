@@ -30,6 +30,19 @@ Json percentilesJson(const Percentiles& samples, const char* p50, const char* p9
     return {{p50, numberOrNull(samples.at(0.5))}, {p99, numberOrNull(samples.at(0.99))}};
 }
 
+Json latencyJson(const LatencyParts& parts) {
+    Json all = Json::object();
+    for (const auto& [name, part] : {std::pair{"transfer", &parts.transfer},
+                                     {"pairing", &parts.pairing},
+                                     {"wait", &parts.wait},
+                                     {"draw", &parts.draw},
+                                     {"swap", &parts.swap}})
+        all[name] = {{"p50", numberOrNull(part->at(0.5))},
+                     {"p99", numberOrNull(part->at(0.99))},
+                     {"max", numberOrNull(part->at(1))}};
+    return all;
+}
+
 Json depthJson(const std::optional<Report::Depth>& depth) {
     if (!depth) return nullptr;
     return {{"focus_m", depth->focusM},
@@ -76,6 +89,7 @@ Json toJson(const Report& report) {
         {"gpu", {{"memory_mib", report.gpuMemoryMib}, {"objects", report.gpuObjects}}},
         {"latency_ms", report.latencyMs.at(0.5) ? percentilesJson(report.latencyMs, "p50", "p99")
                                                 : Json(nullptr)},
+        {"latency_parts_ms", latencyJson(report.latencyParts)},
         {"latency_histogram",
          {{"up_to_ms", Histogram::kUpToMs}, {"frames", report.latencyHistogram.counts()}}},
         {"seconds", report.seconds},

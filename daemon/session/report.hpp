@@ -14,6 +14,16 @@
 
 namespace autostereo::daemon {
 
+/// A picture's way from mid-exposure to the panel, milliseconds; the parts of one picture add up to
+/// its latency.
+struct LatencyParts {
+    Percentiles transfer; ///< until its depth frame was here: half the exposure, the camera's way
+    Percentiles pairing;  ///< until its colour frame was here, too
+    Percentiles wait;     ///< for a nearer colour frame, for the picture before
+    Percentiles draw;     ///< until the GPU had filled the panel
+    Percentiles swap;     ///< until it was presented
+};
+
 /// The accounts of a run. frames_in = presented + skipped + dropped holds between frames.
 struct Report {
     std::string input;
@@ -44,6 +54,7 @@ struct Report {
     std::int64_t gpuObjects = 0;       ///< textures, buffers, programs, queries, ...
     Percentiles latencyMs;             ///< mid-exposure to present; empty at --speed max
     Histogram latencyHistogram;        ///< of the same, all of them
+    LatencyParts latencyParts;         ///< what it is made of, one after the other
     double seconds = 0;
 
     [[nodiscard]] std::uint64_t skippedTotal() const;

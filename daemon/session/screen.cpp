@@ -33,7 +33,7 @@ ChosenDisplay choose(const config::Config& config, config::Output output, bool f
 
 Screen::Screen(const config::Config& config, config::Output output, bool force)
     : config_(config), output_(output), force_(force), chosen_(choose(config, output, force)),
-      panel_(openPanel(chosen_.profile, output, force, chosen_.connector)) {
+      panel_(openPanel(chosen_.profile, output, force, config.refreshHz, chosen_.connector)) {
     spdlog::info("display: {} ({} views), {}x{} {}", display().model, display().views,
                  panel_->width(), panel_->height(), panel_->description());
     spdlog::info("renderer: {}", gpu::rendererName());
@@ -110,6 +110,8 @@ void Screen::show(const devices::RgbdFrame& frame) {
     pipeline_->prepare(frame);
     fill();
 }
+
+void Screen::finish() { glFinish(); }
 
 void Screen::showScene(double seconds) {
     scenePipeline_->prepare(seconds);

@@ -38,6 +38,8 @@ class Screen {
     void setFlat(bool flat);
 
     void show(const devices::RgbdFrame& frame);
+    /// Waits until the GPU has filled the panel: no picture is begun behind one that is unfinished.
+    void finish();
     /// The scene as it is at a time. After `start` with one.
     void showScene(double seconds);
     /// The last frame again, as the viewer's eyes see it now. After `show`.

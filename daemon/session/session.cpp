@@ -44,7 +44,7 @@ Session::Session(const RunOptions& options, const config::Config& config, Tap se
     : config_(config), output_(options.output.value_or(chooseOutput(config))),
       realtime_(options.speed.value_or(config::Speed::Realtime) == config::Speed::Realtime),
       sensors_(std::move(sensors)),
-      recording_(options.record, options.speed.value_or(config::Speed::Realtime)),
+      recording_(options.record, options.speed.value_or(config::Speed::Realtime), config.ring),
       input_(isScene(config) || waitsForInput() ? std::nullopt
                                                 : std::make_optional(openScene(config, tap()))),
       scene_(isScene(config) ? std::make_optional(openMeshScene(config)) : std::nullopt),
@@ -166,11 +166,11 @@ bool Session::isFresh(const devices::RgbdFrame& frame) {
 }
 
 void Session::show(devices::RgbdFrame frame) {
-    const devices::TimePoint arrivedAt = clock_.now();
-    attendance_.saw(frame.depth, arrivedAt);
+    const devices::TimePoint takenAt = clock_.now();
+    attendance_.saw(frame.depth, takenAt);
     const auto resting = rest();
     if (!pattern_) enter(resting.value_or(Shown::Live));
-    policy_.presented(arrivedAt);
+    policy_.presented(takenAt);
     const bool same = !last_.depth.empty() && samePicture(frame.depth, last_.depth) &&
                       samePicture(frame.color, last_.color);
     if (!same) timesShown_ = 0;
@@ -186,18 +186,30 @@ void Session::show(devices::RgbdFrame frame) {
     }
     frameAt_ = frame.depth.metadata().capturedAt;
     screen_.show(frame);
+    screen_.finish();
+    const devices::TimePoint drawnAt = clock_.now();
     present();
+    if (realtime_) noteLatency(frame, takenAt, drawnAt);
     ++timesShown_;
     policy_.presented(clock_.now());
     if (report_.presented == 0) screen_.keepChoice();
     ++report_.presented;
     if (measuresNothing(frame.depth)) ++report_.withoutDepth;
-    if (realtime_) {
-        const double ms = 1e3 * seconds(clock_.now() - frame.depth.metadata().capturedAt);
-        report_.latencyMs.add(ms);
-        report_.latencyHistogram.add(ms);
-    }
     last_ = std::move(frame);
+}
+
+void Session::noteLatency(const devices::RgbdFrame& frame, devices::TimePoint takenAt,
+                          devices::TimePoint drawnAt) {
+    const auto ms = [](devices::Duration part) { return 1e3 * seconds(part); };
+    const devices::FrameMetadata& depth = frame.depth.metadata();
+    const devices::TimePoint pairedAt = std::max(depth.arrivedAt, frame.color.metadata().arrivedAt);
+    report_.latencyMs.add(ms(presentedAt_ - depth.capturedAt));
+    report_.latencyHistogram.add(ms(presentedAt_ - depth.capturedAt));
+    report_.latencyParts.transfer.add(ms(depth.arrivedAt - depth.capturedAt));
+    report_.latencyParts.pairing.add(ms(pairedAt - depth.arrivedAt));
+    report_.latencyParts.wait.add(ms(takenAt - pairedAt));
+    report_.latencyParts.draw.add(ms(drawnAt - takenAt));
+    report_.latencyParts.swap.add(ms(presentedAt_ - drawnAt));
 }
 
 void Session::followViewer() {

@@ -44,6 +44,8 @@ class Session {
     [[nodiscard]] Status status();
     [[nodiscard]] const Report& accounts();
     [[nodiscard]] gpu::RgbImage picture();
+    /// The cameras' last pictures; none: they are not kept.
+    [[nodiscard]] std::optional<devices::RecordingRing::Held> lastPictures() const;
     /// A small picture for the operator. Throws std::runtime_error where no camera's picture is
     /// shown: what was seen before is not to be taken for what is.
     [[nodiscard]] gpu::RgbImage preview(const PreviewRequest& request);
@@ -66,6 +68,8 @@ class Session {
     void takeInput();
     [[nodiscard]] bool isFresh(const devices::RgbdFrame& frame);
     void show(devices::RgbdFrame frame);
+    void noteLatency(const devices::RgbdFrame& frame, devices::TimePoint takenAt,
+                     devices::TimePoint drawnAt);
     /// Closed or Nobody, where pictures are not wanted now.
     [[nodiscard]] std::optional<Shown> rest() const;
     void showWithoutPair();

@@ -36,6 +36,11 @@ void Session::adjust(const config::Config& config) {
     redraw_ = true;
 }
 
+std::optional<devices::RecordingRing::Held> Session::lastPictures() const {
+    if (recording_.ring() == nullptr) return std::nullopt;
+    return recording_.ring()->held();
+}
+
 void Session::replace(const config::Config& config) {
     const bool other = !sameInput(config_, config);
     if (other && (scene_ || isScene(config)))
@@ -44,9 +49,12 @@ void Session::replace(const config::Config& config) {
         throw config::ConfigError("input: cannot be another one while it is recorded");
     if (config.output.value_or(output_) != output_)
         throw config::ConfigError("output.kind: needs a restart");
+    if (config.refreshHz != config_.refreshHz)
+        throw config::ConfigError("output.refresh_hz: needs a restart");
     if (!(config.viewer == config_.viewer)) throw config::ConfigError("viewer: needs a restart");
     if (viewer_ && config.display != config_.display)
         throw config::ConfigError("display.profile: with a viewer it needs a restart");
+    if (!(config.ring == config_.ring)) throw config::ConfigError("record: needs a restart");
     // A device can be open only once: another one first shows that it is there.
     std::optional<devices::Input> next;
     if (other && !sameDevices(config_, config)) next = openScene(config, tap());

@@ -53,6 +53,14 @@ Json viewerJson(const Status& status) {
             {"eyes_m", {eyeJson(viewer.eyes.left), eyeJson(viewer.eyes.right)}}};
 }
 
+Json httpJson(const Status& status) {
+    if (!status.httpRefused) return nullptr;
+    Json refused = Json::object();
+    for (const auto& [code, count] : *status.httpRefused)
+        refused[std::to_string(code)] = count;
+    return {{"refused", refused}};
+}
+
 std::string viewerText(const Json& viewer) {
     const Json &left = viewer.at("eyes_m").at(0), &right = viewer.at("eyes_m").at(1);
     const auto middle = [&](std::size_t axis) {
@@ -128,6 +136,7 @@ std::string statusLine(const Status& status, const Report& report) {
         {"input_problem", status.inputProblem},
         {"sensors", sensorsJson(status)},
         {"viewer", viewerJson(status)},
+        {"http", httpJson(status)},
         {"settings",
          {{"scale", numberOrAuto(status.scale)},
           {"focus", numberOrAuto(status.focusM)},
@@ -152,6 +161,8 @@ std::string statusText(const std::string& line) try {
     if (const Json& sensors = all.at("sensors"); sensors.is_object())
         text += sensorText("depth", sensors.at("depth")) + sensorText("color", sensors.at("color"));
     if (const Json& viewer = all.at("viewer"); viewer.is_object()) text += viewerText(viewer);
+    if (const Json& http = all.at("http"); http.is_object() && !http.at("refused").empty())
+        text += "http: refused " + http.at("refused").dump() + '\n';
     text += "method: " + report.at("method").get<std::string>() + "; " +
             stagesText(report.at("stages")) + '\n';
     text += "frames: " + report.at("frames_in").dump() + " in, " +

@@ -5,6 +5,8 @@
 #include "daemon/session/viewer.hpp"
 #include "devices/feed.hpp"
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -27,6 +29,8 @@ struct Status {
     std::optional<double> focusM, scale; ///< as configured; none: auto
     double brightness = 1;
     bool flat = false;
+    /// HTTP requests refused, by status; none: no page.
+    std::optional<std::map<int, std::uint64_t>> httpRefused;
     std::optional<ViewerStatus> viewer; ///< none: nobody is followed
 };
 

@@ -1,8 +1,6 @@
 #include "devices/record/recorder.hpp"
 
 #include "devices/record/payloads.hpp"
-#include "devices/replay/calibration_files.hpp"
-#include "devices/replay/kinect_recording.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -18,27 +16,11 @@ constexpr Duration kLongestWait = std::chrono::milliseconds(500);
 /// So long a stream may take to come up; the file's tracks are said at its start.
 constexpr Duration kLongestStart = std::chrono::seconds(2);
 
-std::vector<std::byte> bytesOf(const std::string& text) {
-    const auto bytes = std::as_bytes(std::span(text));
-    return {bytes.begin(), bytes.end()};
-}
-
-std::vector<RecordingAttachment> attachmentsOf(const Input& input) {
-    std::vector<RecordingAttachment> files;
-    if (!input.factoryCalibration.empty())
-        files.push_back({"calibration.json", "K4A_CALIBRATION_FILE", input.factoryCalibration});
-    if (input.rig)
-        files.push_back({"camera.json", kCameraFileTag, bytesOf(cameraFile(*input.rig))});
-    return files;
-}
-
 } // namespace
 
-Recorder::Recorder(const std::filesystem::path& file, const Input& input, WhenBehind whenBehind,
+Recorder::Recorder(const std::filesystem::path& file, RecordingHead head, WhenBehind whenBehind,
                    std::size_t mostBytes)
-    : file_(file), whenBehind_(whenBehind), mostBytes_(mostBytes), period_(input.nominalPeriod),
-      streams_((input.depth ? 1U : 0U) + (input.color ? 1U : 0U)),
-      attachments_(attachmentsOf(input)) {
+    : file_(file), whenBehind_(whenBehind), mostBytes_(mostBytes), head_(std::move(head)) {
     static_cast<void>(MatroskaWriter(file_, {})); // whether it can be written at all
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -50,11 +32,7 @@ void Recorder::finish() {
     if (thread_.joinable()) thread_.join();
 }
 
-void Recorder::offer(Stream stream, const Frame& frame) {
-    // No more than a copy is made here, on the sensor's thread.
-    const auto sent = sentBytes(frame), infrared = std::as_bytes(frame.amplitude());
-    Picture picture{
-        stream, frame.metadata(), {sent.begin(), sent.end()}, {infrared.begin(), infrared.end()}};
+void Recorder::offer(Picture picture) {
     std::unique_lock lock(mutex_);
     const auto hasRoom = [&] {
         return waiting_.empty() || waitingBytes_ + picture.bytes() <= mostBytes_;
@@ -70,8 +48,8 @@ void Recorder::offer(Stream stream, const Frame& frame) {
         return;
     }
     const TimePoint time = picture.form.capturedAt;
-    forms_.try_emplace(stream, picture.form);
-    newest_[stream] = time;
+    forms_.try_emplace(picture.stream, picture.form);
+    newest_[picture.stream] = time;
     waitingBytes_ += picture.bytes();
     waiting_.emplace(time, std::move(picture));
     changed_.notify_all();
@@ -107,7 +85,7 @@ std::optional<Recorder::Picture> Recorder::takeDue(bool all) {
     if (waiting_.empty()) return std::nullopt;
     const TimePoint first = waiting_.begin()->first, last = waiting_.rbegin()->first;
     const bool allBeyond =
-        newest_.size() == streams_ &&
+        newest_.size() == head_.streams &&
         std::ranges::all_of(newest_, [&](const auto& n) { return n.second >= first; });
     if (!all && !allBeyond && last - first < (writer_ ? kLongestWait : kLongestStart))
         return std::nullopt;
@@ -121,18 +99,18 @@ std::optional<Recorder::Picture> Recorder::takeDue(bool all) {
 void Recorder::begin(const Picture& first) {
     startedAt_ = first.form.capturedAt;
     RecordingLayout layout;
-    layout.attachments = attachments_;
+    layout.attachments = head_.attachments;
     layout.tags = {{"K4A_DEPTH_DELAY_NS", "0"},
                    {"K4A_WIRED_SYNC_MODE", "STANDALONE"},
                    {"K4A_START_OFFSET_NS", "0"}};
     {
         const std::scoped_lock lock(mutex_);
         if (const auto color = forms_.find(Stream::Color); color != forms_.end())
-            layout.tracks.push_back(colorTrack(color->second, period_));
+            layout.tracks.push_back(colorTrack(color->second, head_.period));
         if (const auto depth = forms_.find(Stream::Depth); depth != forms_.end()) {
-            layout.tracks.push_back(depthTrack(depth->second, period_));
+            layout.tracks.push_back(depthTrack(depth->second, head_.period));
             if (depth->second.hasAmplitude)
-                layout.tracks.push_back(infraredTrack(depth->second, period_));
+                layout.tracks.push_back(infraredTrack(depth->second, head_.period));
         }
     }
     for (RecordingTrack& track : layout.tracks) {

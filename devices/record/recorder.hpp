@@ -1,8 +1,6 @@
 #pragma once
 
-#include "devices/frame.hpp"
-#include "devices/input.hpp"
-#include "devices/record/matroska_writer.hpp"
+#include "devices/record/recorded_picture.hpp"
 
 #include <condition_variable>
 #include <cstdint>
@@ -21,38 +19,36 @@ namespace autostereo::devices {
 /// DEPTH, IR; calibration attached), in order of time, on a thread of its own. Whoever offers
 /// frames never waits for the disk, unless asked to: what does not fit into `mostBytes` is left out
 /// and counted. Where the disk refuses, the recording ends there, playable, and says so once.
-class Recorder {
+class Recorder final : public PictureTap {
   public:
-    enum class Stream : std::uint8_t { Depth, Color };
+    using Stream = RecordedStream;
     enum class WhenBehind : std::uint8_t { LeaveOut, Wait };
     struct Counters {
         std::uint64_t written = 0, leftOut = 0, bytes = 0; ///< pictures; of the file
         std::string error;                                 ///< why it ended; "": it goes on
     };
+    using Picture = RecordedPicture;
     static constexpr std::size_t kMostBytes = 256U << 20U;
 
-    /// `input` gives cameras, factory calibration and period. Throws RecordingError.
+    /// Both throw RecordingError.
     Recorder(const std::filesystem::path& file, const Input& input, WhenBehind whenBehind,
+             std::size_t mostBytes = kMostBytes)
+        : Recorder(file, headOf(input), whenBehind, mostBytes) {}
+    Recorder(const std::filesystem::path& file, RecordingHead head, WhenBehind whenBehind,
              std::size_t mostBytes = kMostBytes);
     /// Writes what it still holds.
-    ~Recorder();
+    ~Recorder() override;
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
     /// Writes what it still holds and closes the file; nothing more is taken.
     void finish();
     /// Copies the picture. Any thread, a stream always the same one.
-    void offer(Stream stream, const Frame& frame);
+    void offer(Stream stream, const Frame& frame) override { offer(copyOf(stream, frame)); }
+    void offer(Picture picture);
     [[nodiscard]] Counters counters() const;
 
   private:
-    struct Picture {
-        Stream stream;
-        FrameMetadata form;
-        std::vector<std::byte> sent, infrared; ///< as they lie in the frame
-        [[nodiscard]] std::size_t bytes() const { return sent.size() + infrared.size(); }
-    };
-
     void run(const std::stop_token& stop);
     /// The next to write, or nothing while an earlier one may still come.
     [[nodiscard]] std::optional<Picture> takeDue(bool all);
@@ -65,9 +61,7 @@ class Recorder {
     std::filesystem::path file_;
     WhenBehind whenBehind_;
     std::size_t mostBytes_;
-    Duration period_;
-    std::size_t streams_; ///< that the input has
-    std::vector<RecordingAttachment> attachments_;
+    RecordingHead head_;
 
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;

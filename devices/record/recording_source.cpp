@@ -4,14 +4,14 @@
 
 namespace autostereo::devices {
 
-RecordingSource::RecordingSource(std::unique_ptr<Source> source, std::shared_ptr<Recorder> recorder,
-                                 Recorder::Stream stream)
-    : source_(std::move(source)), recorder_(std::move(recorder)), stream_(stream) {}
+RecordingSource::RecordingSource(std::unique_ptr<Source> source, std::shared_ptr<PictureTap> tap,
+                                 RecordedStream stream)
+    : source_(std::move(source)), tap_(std::move(tap)), stream_(stream) {}
 
 ReadResult RecordingSource::read(TimePoint deadline) noexcept {
     ReadResult result = source_->read(deadline);
     if (const auto* frame = std::get_if<Frame>(&result); frame != nullptr && !rewound_)
-        recorder_->offer(stream_, *frame);
+        tap_->offer(stream_, *frame);
     return result;
 }
 
@@ -20,17 +20,16 @@ bool RecordingSource::rewind() noexcept {
     return source_->rewind();
 }
 
-Input recorded(Input input, const std::shared_ptr<Recorder>& recorder) {
-    const auto wrap = [&](std::unique_ptr<Source>& source, Reopen& reopen,
-                          Recorder::Stream stream) {
-        if (source) source = std::make_unique<RecordingSource>(std::move(source), recorder, stream);
+Input recorded(Input input, const std::shared_ptr<PictureTap>& tap) {
+    const auto wrap = [&](std::unique_ptr<Source>& source, Reopen& reopen, RecordedStream stream) {
+        if (source) source = std::make_unique<RecordingSource>(std::move(source), tap, stream);
         if (!reopen) return;
-        reopen = [again = std::move(reopen), recorder, stream] {
-            return std::make_unique<RecordingSource>(again(), recorder, stream);
+        reopen = [again = std::move(reopen), tap, stream] {
+            return std::make_unique<RecordingSource>(again(), tap, stream);
         };
     };
-    wrap(input.depth, input.reopen.depth, Recorder::Stream::Depth);
-    wrap(input.color, input.reopen.color, Recorder::Stream::Color);
+    wrap(input.depth, input.reopen.depth, RecordedStream::Depth);
+    wrap(input.color, input.reopen.color, RecordedStream::Color);
     return input;
 }
 

@@ -11,20 +11,20 @@ namespace autostereo::devices {
 /// recorded. Thread-bound.
 class RecordingSource final : public Source {
   public:
-    RecordingSource(std::unique_ptr<Source> source, std::shared_ptr<Recorder> recorder,
-                    Recorder::Stream stream);
+    RecordingSource(std::unique_ptr<Source> source, std::shared_ptr<PictureTap> tap,
+                    RecordedStream stream);
     [[nodiscard]] ReadResult read(TimePoint deadline) noexcept override;
     [[nodiscard]] bool rewind() noexcept override;
     [[nodiscard]] SourceCounters counters() const noexcept override { return source_->counters(); }
 
   private:
     std::unique_ptr<Source> source_;
-    std::shared_ptr<Recorder> recorder_;
-    Recorder::Stream stream_;
+    std::shared_ptr<PictureTap> tap_;
+    RecordedStream stream_;
     bool rewound_ = false;
 };
 
 /// The same input with both of its streams recorded.
-[[nodiscard]] Input recorded(Input input, const std::shared_ptr<Recorder>& recorder);
+[[nodiscard]] Input recorded(Input input, const std::shared_ptr<PictureTap>& tap);
 
 } // namespace autostereo::devices

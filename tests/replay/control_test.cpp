@@ -270,5 +270,54 @@ TEST(ControlCommands, AStaleSocketIsReplaced) {
     EXPECT_FALSE(std::filesystem::exists(kiosk.socket())) << "and removed at the end";
 }
 
+TEST(ControlRecording, TheLastSecondsAreHandedOutWhileThePictureGoesOn) {
+    Kiosk kiosk("[record]\nring_s = 2\n");
+    kiosk.plugBoth();
+    kiosk.start();
+    ASSERT_TRUE(kiosk.shows("live", milliseconds(10'000)));
+    std::this_thread::sleep_for(milliseconds(1000)); // so that there is something
+    const auto presented = [&] {
+        return kiosk.status().at("report").at("frames_presented").get<std::uint64_t>();
+    };
+    const std::uint64_t before = presented();
+    const std::string file = kiosk.folder() / "last.mkv";
+    ASSERT_TRUE(succeeded(kiosk.command({"snapshot", "--recording", file})));
+    EXPECT_TRUE(eventually([&] { return presented() > before; }, milliseconds(2000 * kSlower)));
+    EXPECT_TRUE(kiosk.shows("live", milliseconds(1000 * kSlower)));
+    // What cannot be written is one line, and nobody else's trouble.
+    EXPECT_TRUE(failedPlainly(kiosk.command({"snapshot", "--recording", "/nowhere/last.mkv"}), 1));
+    ProgramCall full = calling({});
+    const std::string spoilt = kiosk.folder() / "spoilt.mkv";
+    full.arguments = {"-c",
+                      "trap '' XFSZ; ulimit -f 10; exec \"$0\" \"$@\"",
+                      full.program.string(),
+                      "snapshot",
+                      "--recording",
+                      spoilt,
+                      "--socket",
+                      kiosk.socket()};
+    full.program = "/bin/bash";
+    EXPECT_TRUE(failedPlainly(runProgram(full), 1));
+    EXPECT_FALSE(std::filesystem::exists(spoilt));
+    EXPECT_TRUE(succeeded(kiosk.stop()));
+
+    const std::string report = kiosk.folder() / "played.json";
+    ASSERT_TRUE(succeeded(
+        runProgram(calling({"run", "--input", file, "--display", smallDisplay(kiosk.folder()),
+                            "--output", "offscreen", "--speed", "max", "--report", report}))));
+    const RunReport played = readReport(report);
+    EXPECT_TRUE(balanced(played));
+    EXPECT_GT(played.accounts.framesIn, 0U);
+    EXPECT_LE(played.accounts.depth.in, 61U); // two seconds
+}
+
+TEST_F(Control, NothingIsKeptUnlessItWasAskedFor) {
+    const std::string file = kiosk.folder() / "last.mkv";
+    const ProgramResult refused = kiosk.command({"snapshot", "--recording", file});
+    EXPECT_TRUE(failedPlainly(refused, 1));
+    EXPECT_NE(refused.err.find("ring_s is 0"), std::string::npos) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 } // namespace
 } // namespace autostereo::test

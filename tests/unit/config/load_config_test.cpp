@@ -36,6 +36,7 @@ wait = "yes"
 profile = "barrier-5view"
 [output]
 kind = "offscreen"
+refresh_hz = 59.94
 [sync]
 tolerance_ms = 7.5
 [reconnect]
@@ -123,6 +124,9 @@ no_pairs = ""
 [control]
 socket = "/run/kiosk.sock"
 group = "museum"
+[record]
+ring_s = 12.5
+ring_mib = 64
 [http]
 listen = "192.168.1.5:80"
 allow_remote = true
@@ -135,6 +139,7 @@ level = "trace"
     expected.rig = "site.toml";
     expected.display = "barrier-5view";
     expected.output = Output::Offscreen;
+    expected.refreshHz = 59.94;
     expected.sync.tolerance = 7500us;
     expected.reconnect = {50ms, 60ms};
     const calib::DepthNoise noise{0.0005, 0.2, 0.002};
@@ -165,6 +170,7 @@ level = "trace"
     expected.idle = {2500ms, {}, "a", "b", "c", "d", "e", ""};
     expected.rest = {{{0x1F, 540, 1080}, {0x40, 1200, 120}}, 1.5, 0.25, 500ms};
     expected.control = {"/run/kiosk.sock", "museum"};
+    expected.ring = {12500ms, std::size_t{64} << 20U};
     expected.http = {ListenAddress{"192.168.1.5", 80, false}, "/etc/token"};
     expected.log.level = "trace";
     expectSame(loadConfig("all.toml"), expected);
@@ -249,6 +255,8 @@ constexpr Malformed kMalformed[] = {
      "instanced, multipass, geometry, mrt, hybrid)"},
     {"[output]\nkind = true\n", "x.toml:2:8: output.kind: is a boolean, wanted a word "
                                 "(allowed auto, window, offscreen)"},
+    {"[output]\nrefresh_hz = -60\n",
+     "x.toml:2:14: output.refresh_hz: -60 is out of range (allowed 0 to 500)"},
     {"[input]\nuri = 7\n", "x.toml:2:7: input.uri: is an integer, wanted a string"},
     {"[picture]\nclear_color = [0, 0]\n",
      "x.toml:2:15: picture.clear_color: has 2 elements, wanted an array of 3 numbers "
@@ -269,6 +277,8 @@ constexpr Malformed kMalformed[] = {
     {"[http]\nlisten = '0.0.0.0:8787'\n",
      "x.toml:2:10: http.listen: \"0.0.0.0:8787\" can be reached from other machines (allowed with "
      "http.allow_remote = true)"},
+    {"[record]\nring_mib = 0\n",
+     "x.toml:2:12: record.ring_mib: 0 is out of range (allowed 1 to 768)"},
     {"[http]\nlisten = 8787\n", "x.toml:2:10: http.listen: is an integer, wanted a string"},
     {"[picture]\nmode = '4d'\n", "x.toml:2:8: picture.mode: \"4d\" is unknown (allowed 3d, 2d)"},
     // Of several problems the first in the file.

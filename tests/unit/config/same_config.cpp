@@ -61,6 +61,7 @@ void expectSameService(const Config& a, const Config& b) {
     EXPECT_EQ(a.flat, b.flat);
     EXPECT_EQ(a.control.socket, b.control.socket);
     EXPECT_EQ(a.control.group, b.control.group);
+    EXPECT_EQ(a.ring, b.ring);
     EXPECT_EQ(a.http, b.http);
     EXPECT_EQ(a.idle.freeze, b.idle.freeze);
     EXPECT_EQ(a.idle.picture, b.idle.picture);
@@ -86,6 +87,7 @@ void expectSame(const Config& a, const Config& b) {
     EXPECT_EQ(a.display, b.display);
     EXPECT_EQ(a.rig, b.rig);
     EXPECT_EQ(a.output, b.output);
+    EXPECT_EQ(a.refreshHz, b.refreshHz);
     EXPECT_EQ(a.sync.tolerance, b.sync.tolerance);
     EXPECT_EQ(a.reconnect.firstDelay, b.reconnect.firstDelay);
     EXPECT_EQ(a.reconnect.longestDelay, b.reconnect.longestDelay);

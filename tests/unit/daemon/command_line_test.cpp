@@ -221,10 +221,11 @@ TEST(CommandLine, WhatCannotBeReadIsOneLineAndNamesTheOption) {
 }
 
 TEST(CommandLine, NoCommandSaysWhichThereAre) {
-    EXPECT_EQ(usageError({}),
-              "no command given (run, record, render, interleave, viewmap, look, pattern, import, "
-              "calibrate, check, devices, bench, status, snapshot, reload, set, show): see "
-              "autostereo --help");
+    EXPECT_EQ(
+        usageError({}),
+        "no command given (run, record, render, interleave, viewmap, look, pattern, import, "
+        "calibrate, check, devices, bench, latency, status, snapshot, reload, set, show): see "
+        "autostereo --help");
 }
 
 TEST(CommandLine, HelpShowsAnExampleForEachCommand) {

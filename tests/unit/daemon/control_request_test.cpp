@@ -21,6 +21,8 @@ TEST(ControlRequest, EveryRequestComesBackAsItWasSent) {
     EXPECT_TRUE(std::holds_alternative<StatusRequest>(parseRequest(requestLine(StatusRequest{}))));
     EXPECT_TRUE(
         std::holds_alternative<SnapshotRequest>(parseRequest(requestLine(SnapshotRequest{}))));
+    EXPECT_TRUE(
+        std::holds_alternative<RecordingRequest>(parseRequest(requestLine(RecordingRequest{}))));
     EXPECT_TRUE(std::holds_alternative<ReloadRequest>(parseRequest(requestLine(ReloadRequest{}))));
     for (const std::string text : {"scale", "\"", "a\nb", "\\", "\xC3\xA4", ""}) {
         const std::string set = requestLine(SetRequest{text, text + "!"});
@@ -55,9 +57,9 @@ TEST(ControlRequest, EveryBadRequestSaysWhatIsWrong) {
         {R"({"command": 7})", "request: command is no string"},
         {R"({"command": "stop"})",
          "request: command \"stop\" is unknown (allowed status, snapshot, "
-         "reload, set, show)"},
+         "recording, reload, set, show)"},
         {R"({"command": "a\nb"})", "request: command \"a\\nb\" is unknown (allowed status, "
-                                   "snapshot, reload, set, show)"},
+                                   "snapshot, recording, reload, set, show)"},
         {R"({"command": "status", "json": true})", "request: unknown key \"json\""},
         {R"({"command": "show"})", "request: what is missing"},
         {R"({"command": "show", "what": []})", "request: what is no string"},

@@ -172,7 +172,7 @@ TEST_F(HttpServing, ControlsAreThoseOfTheSocketAndNothingIsRecorded) {
     const int before = told;
     for (const char* bad :
          {"", "{", "[]", R"({"command":"record"})", R"({"command":"snapshot","recording":true})",
-          R"({"command":"run"})", "\xFF\xFE", "status"})
+          R"({"command":"run"})", R"({"command":"recording"})", "\xFF\xFE", "status"})
         EXPECT_EQ(post(bad), 400) << bad;
     EXPECT_EQ(post(R"({"command":"reload"})", "text/plain"), 415);
     EXPECT_EQ(post(R"({"command":"reload"})", "application/x-www-form-urlencoded"), 415);
@@ -252,6 +252,26 @@ TEST_F(HttpServing, SlowRequestsEndInTime) {
     EXPECT_EQ(told, 0);
 }
 
+TEST_F(HttpServing, RefusalsAreCountedByStatus) {
+    limits.request = milliseconds(200);
+    start();
+    EXPECT_TRUE(server->refusals().empty());
+    EXPECT_EQ(get("/status", host()), 200);
+    EXPECT_EQ(get("/preview/color.png", host()), 401);
+    EXPECT_EQ(get("/status", "Host: evil.com\r\n"), 403);
+    EXPECT_EQ(get("/", host() + "Origin: null\r\n"), 403);
+    EXPECT_EQ(get("/nothing", host()), 404);
+    EXPECT_EQ(get("/status", host() + "Content-Length: 4097\r\n"), 413);
+    EXPECT_EQ(get("/" + std::string(9000, 'x'), host()), 431);
+    EXPECT_EQ(statusOf(answerTo(server->port(), "")), 408);
+    const HttpRefusals::Counts expected{{401, 1}, {403, 2}, {404, 1}, {408, 1}, {413, 1}, {431, 1}};
+    // A reply is counted once it is sent.
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (server->refusals() != expected && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(milliseconds(5));
+    EXPECT_EQ(server->refusals(), expected);
+}
+
 TEST_F(HttpServing, MoreThanItServesAtOnceAreTurnedAway) {
     std::vector<devices::UniqueFd> idle; // these say nothing and wait for 30 s
     for (std::size_t i = 0; i < HttpLimits::kAtOnce; ++i)
@@ -266,6 +286,7 @@ TEST_F(HttpServing, MoreThanItServesAtOnceAreTurnedAway) {
         idle.push_back(std::move(next));
     }
     EXPECT_TRUE(turnedAway);
+    EXPECT_GT(server->refusals()[503], 0U);
     idle.clear();
     // Until the workers notice.
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);

@@ -46,6 +46,7 @@ Status liveStatus() {
     sensors.depth = {devices::SensorState::Streaming, status.now - milliseconds(20), ""};
     sensors.color = {devices::SensorState::Lost, std::nullopt, "unplugged"};
     status.sensors = sensors;
+    status.httpRefused = {{401, 3}, {503, 1}};
     return status;
 }
 
@@ -84,7 +85,9 @@ TEST(Metrics, EveryFigureIsWhereItBelongs) {
         {"autostereo_latency_seconds_count", 5},
         {"autostereo_stage_median_seconds{stage=\"mesh\"}", 0.0025},
         {"autostereo_gpu_memory_bytes", 1.5 * 1024 * 1024},
-        {"autostereo_gpu_objects", 12}};
+        {"autostereo_gpu_objects", 12},
+        {"autostereo_http_refused_total{status=\"401\"}", 3},
+        {"autostereo_http_refused_total{status=\"503\"}", 1}};
     for (const auto& [name, value] : expected)
         EXPECT_TRUE(samples.contains(name) && samples.at(name) == value)
             << name << " is " << (samples.contains(name) ? samples.at(name) : -1);
@@ -97,6 +100,7 @@ TEST(Metrics, WhatIsNotKnownIsLeftOut) {
     for (const auto& [name, value] : samples)
         EXPECT_FALSE(name.find("sensor") != std::string::npos ||
                      name.find("recording") != std::string::npos ||
+                     name.find("http") != std::string::npos ||
                      name.find("resident") != std::string::npos)
             << name;
     EXPECT_EQ(samples.at("autostereo_latency_seconds_count"), 0);

@@ -36,6 +36,8 @@ Report exampleReport() {
     report.depth = {1.25, 0.5, 0.125};
     report.latencyMs.add(42);
     report.latencyHistogram.add(42);
+    for (const double ms : {1.0, 2.0, 3.0})
+        report.latencyParts.transfer.add(ms);
     report.seconds = 4;
     report.recording = devices::Recorder::Counters{9, 1, 123456, ""};
     report.keptShare = 0.75;
@@ -101,6 +103,13 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
         },
         "gpu": {"memory_mib": 20.5, "objects": 120},
         "latency_ms": {"p50": 42.0, "p99": 42.0},
+        "latency_parts_ms": {
+            "transfer": {"p50": 2.0, "p99": 3.0, "max": 3.0},
+            "pairing": {"p50": null, "p99": null, "max": null},
+            "wait": {"p50": null, "p99": null, "max": null},
+            "draw": {"p50": null, "p99": null, "max": null},
+            "swap": {"p50": null, "p99": null, "max": null}
+        },
         "latency_histogram": {
             "up_to_ms": [5.0, 10.0, 15.0, 20.0, 30.0, 40.0, 50.0, 75.0, 100.0, 150.0, 200.0, 300.0,
                          500.0, 1000.0],

@@ -162,6 +162,27 @@ TEST(FrameSyncGrace, AGoodPartnerIsTakenAtOnce) {
     EXPECT_EQ(rig.pairs, "2-0 35-33"); // the next colour, at 66 or so, cannot be nearer
 }
 
+TEST(FrameSyncGrace, ALostFrameMakesNobodyWaitLonger) {
+    SyncRig rig;
+    const TimePoint now = at(5000ms);
+    depth45Waits(rig, now);
+    for (const char* frame : {"c66", "c100", "d112"}) // d78 is lost
+        rig.arrive(frame, now);
+    rig.collect(now);
+    ASSERT_EQ(rig.pairs, "12-0 45-33");
+    EXPECT_EQ(rig.sync.ripeAt(), now + 16500us); // half of 33 ms, not of 67
+}
+
+TEST(FrameSyncGrace, ALostColorHidesNoNearerOne) {
+    SyncRig rig;
+    const TimePoint now = at(5000ms);
+    for (const char* frame : {"c0", "d12", "c33", "d45", "c100", "d112"}) // c67 and d78 are lost
+        rig.arrive(frame, now);
+    rig.collect(now);
+    ASSERT_EQ(rig.pairs, "12-0 45-33");
+    EXPECT_EQ(rig.sync.ripeAt(), now + 16500us); // colour 133 could be nearer than 12 ms by jitter
+}
+
 TEST(FrameSyncGrace, WithoutAPartnerThereIsNothingToWakeFor) {
     SyncRig rig;
     rig.arrive("d0", at(5000ms));

@@ -1,6 +1,7 @@
 // What is recorded is what was captured.
 
 #include "devices/frame_pool.hpp"
+#include "devices/record/recorder.hpp"
 #include "devices/record/recording_source.hpp"
 #include "devices/replay/kinect_recording.hpp"
 #include "devices/replay/matroska_reader.hpp"
