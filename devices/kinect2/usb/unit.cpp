@@ -68,9 +68,9 @@ std::string Unit::whyLost() const {
 void Unit::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "kinect2-usb");
     while (!stop.stop_requested() && !link_->lost()) {
-        link_->handleEvents(kSlice);
         for (const auto& stream : streams_)
             if (!link_->lost()) stream->revive();
+        link_->handleEvents(kSlice);
         watchSilence();
     }
     {
@@ -101,6 +101,7 @@ void Unit::takeDepth(std::span<const std::byte> packet, bool intact) {
     {
         const std::lock_guard lock(mutex_);
         counters_.depth = depthPackets_.counters();
+        counters_.depthUnderruns = streams_.back()->underruns();
     }
     if (!complete) return;
     depthPackets_.swapFrame(nextDepth_.frame);

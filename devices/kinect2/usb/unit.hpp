@@ -41,6 +41,7 @@ class Unit {
     struct Counters {
         DepthPackets::Counters depth;
         ColorPackets::Counters color;
+        std::uint64_t depthUnderruns = 0; ///< see UsbStream::underruns
     };
 
     /// Opens and starts it, about a quarter of a second. Throws DeviceError.

@@ -32,6 +32,7 @@ class DepthSource final : public Source {
     [[nodiscard]] ReadResult read(TimePoint deadline) noexcept override;
     [[nodiscard]] bool rewind() noexcept override { return false; }
     [[nodiscard]] SourceCounters counters() const noexcept override;
+    [[nodiscard]] Unit::Counters unitCounters() const { return unit_->counters(); }
 
   private:
     [[nodiscard]] std::optional<Frame> convert();

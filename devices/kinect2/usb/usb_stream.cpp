@@ -15,6 +15,9 @@ namespace {
 
 /// A quarter of a second of isochronous transfers.
 constexpr int kMostFailures = 64;
+constexpr auto kInterval = std::chrono::microseconds(125); // USB 3, bInterval 1
+
+TimePoint now() { return std::chrono::steady_clock::now(); }
 
 } // namespace
 
@@ -39,6 +42,7 @@ class UsbStream::Transfer {
     [[nodiscard]] libusb_transfer& raw() const { return *raw_; }
     [[nodiscard]] std::span<const std::byte> bytes() const { return buffer_; }
     bool onItsWay = false;
+    bool late = false; ///< packets before it may be missing
 
   private:
     struct Free {
@@ -56,6 +60,7 @@ class UsbStream::Transfer {
 
 UsbStream::UsbStream(UsbLink& link, const Shape& shape, Sink sink)
     : link_(link), shape_(shape), sink_(std::move(sink)) {
+    if (shape.packets > 0) watch_.emplace(shape.packets * kInterval);
     for (int i = 0; i < shape.transfers; ++i) {
         transfers_.push_back(std::make_unique<Transfer>(*this, shape_, link_.handle()));
         submit(*transfers_.back());
@@ -77,13 +82,18 @@ UsbStream::~UsbStream() {
 }
 
 void UsbStream::submit(Transfer& transfer) {
+    const TimePoint before = now();
     const int answer = libusb_submit_transfer(&transfer.raw());
+    transfer.late = answer == 0 && watch_ && watch_->submitted(before, now());
+    underruns_ += transfer.late ? 1 : 0;
     if (answer == LIBUSB_ERROR_NO_DEVICE) link_.lose("it was unplugged");
     transfer.onItsWay = answer == 0;
     onTheirWay_ += transfer.onItsWay ? 1 : 0;
 }
 
 void UsbStream::revive() {
+    const TimePoint time = now();
+    if (watch_ && !link_.somethingEnded()) watch_->noneEnded(time, onTheirWay_);
     for (const auto& transfer : transfers_)
         if (!transfer->onItsWay && !cancelled_ && !link_.lost()) submit(*transfer);
     if (idle() && !cancelled_) link_.lose("the kernel takes no USB transfers any more");
@@ -110,6 +120,7 @@ void UsbStream::ended(Transfer& transfer) {
 
 void UsbStream::deliver(const Transfer& transfer) {
     failures_ = 0;
+    if (transfer.late) sink_({}, true);
     const libusb_transfer& raw = transfer.raw();
     const auto bytes = transfer.bytes();
     if (shape_.packets == 0) {
@@ -127,6 +138,7 @@ void UsbStream::deliver(const Transfer& transfer) {
 
 void UsbStream::countFailure(int status) {
     sink_({}, false);
+    if (watch_) watch_->failed(now());
     if (status == LIBUSB_TRANSFER_STALL) link_.lose("it stopped a stream");
     if (++failures_ > kMostFailures) link_.lose("nothing comes through the bus any more");
 }

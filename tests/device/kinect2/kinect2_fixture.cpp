@@ -7,7 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <thread>
+
+#include <unistd.h>
 
 namespace autostereo::test {
 
@@ -152,6 +157,28 @@ double possibleFps() {
     const double took = decodeMs(), most = 500 / took;
     std::printf("decoding one pair takes %.1f ms\n", took);
     return most > 30 ? 30.0 : most > 15 ? 15.0 : most > 7.5 ? 7.5 : 4.0;
+}
+
+bool holdThread(const std::string& name, std::chrono::milliseconds time) {
+    static std::atomic<long> milliseconds{0};
+    struct sigaction hold {};
+    hold.sa_handler = [](int) {
+        const int error = errno;
+        const long left = milliseconds.load();
+        const timespec pause{left / 1000, left % 1000 * 1'000'000};
+        nanosleep(&pause, nullptr);
+        errno = error;
+    };
+    hold.sa_flags = SA_RESTART;
+    milliseconds = static_cast<long>(time.count());
+    sigaction(SIGUSR1, &hold, nullptr);
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+        std::string comm;
+        std::getline(std::ifstream(task.path() / "comm"), comm);
+        if (comm == name)
+            return tgkill(getpid(), std::stoi(task.path().filename().string()), SIGUSR1) == 0;
+    }
+    return false;
 }
 
 void Kinect2Test::SetUpTestSuite() {
