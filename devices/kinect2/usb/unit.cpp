@@ -25,6 +25,13 @@ constexpr auto kSlice = milliseconds(50);
 
 TimePoint now() { return std::chrono::steady_clock::now(); }
 
+/// A late reader loses packets, a late decoder only pictures. Where the system does not permit it,
+/// the transfers on their way have to do.
+void becomeUrgent() {
+    const sched_param lowest{1};
+    pthread_setschedparam(pthread_self(), SCHED_RR, &lowest);
+}
+
 } // namespace
 
 Unit::Unit(const UnitNode& node, std::shared_ptr<UnitPatience> patience)
@@ -67,6 +74,7 @@ std::string Unit::whyLost() const {
 
 void Unit::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "kinect2-usb");
+    becomeUrgent();
     while (!stop.stop_requested() && !link_->lost()) {
         for (const auto& stream : streams_)
             if (!link_->lost()) stream->revive();

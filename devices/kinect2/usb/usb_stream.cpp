@@ -19,16 +19,40 @@ constexpr auto kInterval = std::chrono::microseconds(125); // USB 3, bInterval 1
 
 TimePoint now() { return std::chrono::steady_clock::now(); }
 
+/// Memory for one transfer: the kernel's own, which it fills without clearing it first and copying
+/// it afterwards, else ours.
+class TransferMemory {
+  public:
+    TransferMemory(libusb_device_handle* handle, std::size_t bytes)
+        : handle_(handle), kernels_(libusb_dev_mem_alloc(handle, bytes), bytes),
+          ours_(kernels_.data() == nullptr ? bytes : 0) {}
+    ~TransferMemory() {
+        if (kernels_.data() != nullptr)
+            libusb_dev_mem_free(handle_, kernels_.data(), kernels_.size());
+    }
+    TransferMemory(const TransferMemory&) = delete;
+    TransferMemory& operator=(const TransferMemory&) = delete;
+
+    [[nodiscard]] std::span<unsigned char> bytes() {
+        return kernels_.data() != nullptr ? kernels_ : std::span(ours_);
+    }
+
+  private:
+    libusb_device_handle* handle_;
+    std::span<unsigned char> kernels_;
+    std::vector<unsigned char> ours_;
+};
+
 } // namespace
 
 /// One transfer with its memory.
 class UsbStream::Transfer {
   public:
     Transfer(UsbStream& stream, const Shape& shape, libusb_device_handle* handle)
-        : stream_(stream), buffer_(static_cast<std::size_t>(shape.bytes())),
+        : stream_(stream), memory_(handle, static_cast<std::size_t>(shape.bytes())),
           raw_(libusb_alloc_transfer(shape.packets)) {
         if (!raw_) throw DeviceError("kinect2: no memory for USB transfers");
-        auto* bytes = reinterpret_cast<unsigned char*>(buffer_.data());
+        unsigned char* bytes = memory_.bytes().data();
         if (shape.packets > 0) {
             libusb_fill_iso_transfer(raw_.get(), handle, shape.endpoint, bytes, shape.bytes(),
                                      shape.packets, whenEnded, this, 0);
@@ -40,7 +64,7 @@ class UsbStream::Transfer {
     }
 
     [[nodiscard]] libusb_transfer& raw() const { return *raw_; }
-    [[nodiscard]] std::span<const std::byte> bytes() const { return buffer_; }
+    [[nodiscard]] std::span<const std::byte> bytes() { return std::as_bytes(memory_.bytes()); }
     bool onItsWay = false;
     bool late = false; ///< packets before it may be missing
 
@@ -54,7 +78,7 @@ class UsbStream::Transfer {
     }
 
     UsbStream& stream_;
-    std::vector<std::byte> buffer_;
+    TransferMemory memory_;
     std::unique_ptr<libusb_transfer, Free> raw_;
 };
 
@@ -118,7 +142,7 @@ void UsbStream::ended(Transfer& transfer) {
     if (!link_.lost()) submit(transfer);
 }
 
-void UsbStream::deliver(const Transfer& transfer) {
+void UsbStream::deliver(Transfer& transfer) {
     failures_ = 0;
     if (transfer.late) sink_({}, true);
     const libusb_transfer& raw = transfer.raw();

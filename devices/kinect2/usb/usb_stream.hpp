@@ -53,7 +53,7 @@ class UsbStream {
     class Transfer;
     void ended(Transfer& transfer);
     void submit(Transfer& transfer);
-    void deliver(const Transfer& transfer);
+    void deliver(Transfer& transfer);
     void countFailure(int status);
 
     UsbLink& link_;
