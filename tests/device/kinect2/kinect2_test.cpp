@@ -171,7 +171,8 @@ TEST_F(Kinect2Test, FullRateBreaksNothing) {
     devices::Input input = devices::openInput("kinect2:");
     Reader depth("kin-depth", std::move(input.depth)), color("kin-color", std::move(input.color));
     std::this_thread::sleep_for(1s); // until every slot of the pools has its memory
-    const std::uint64_t underrunsBefore = depth.take().underruns;
+    const std::uint64_t noticedBefore = depth.take().underruns;
+    const unsigned underrunsBefore = camera->underruns(), cutBefore = camera->depthFramesCut();
     static_cast<void>(color.take());
     const std::array<const char*, 3> threads{"kinect2-usb", "kin-depth", "kin-color"};
     std::array<double, 3> cpu{};
@@ -190,8 +191,9 @@ TEST_F(Kinect2Test, FullRateBreaksNothing) {
 
     std::printf("%.1f fps, %u frames cut, %u underruns, of which the reader noticed %llu; CPU of "
                 "the thread at the bus %.3f\n",
-                camera->show().fps, camera->depthFramesCut(), camera->underruns(),
-                static_cast<unsigned long long>(depths.underruns - underrunsBefore), cpu[0]);
+                camera->show().fps, camera->depthFramesCut() - cutBefore,
+                camera->underruns() - underrunsBefore,
+                static_cast<unsigned long long>(depths.underruns - noticedBefore), cpu[0]);
     print("kin-depth", depths, depthSent, cpu[1]);
     print("kin-color", colors, colorSent, cpu[2]);
     EXPECT_EQ(depths.lost + colors.lost, "");
@@ -200,7 +202,8 @@ TEST_F(Kinect2Test, FullRateBreaksNothing) {
     EXPECT_EQ(colors.counters.damaged, 0U);
     // One processor is camera, kernel and reader. Where other programs take it away, the host lets
     // intervals pass; one more for a frame that is on its way.
-    EXPECT_LE(depths.counters.damaged, camera->depthFramesCut() + 1);
+    // Nor is a frame given out of which a transfer came so late that packets may be missing.
+    EXPECT_LE(depths.counters.damaged, camera->depthFramesCut() + depths.underruns + 1);
     // Every frame that was sent was read or is missed by its number; two may be on their way at
     // either end. A camera without a processor leaves numbers out.
     EXPECT_GE(depths.good + depths.gaps + 4, depthSent);

@@ -102,6 +102,7 @@ bool Pipe::serveIsochronous(Wire& wire) {
     bool missed = interval_ < earliest;
     interval_ = std::max(interval_, earliest);
     Bytes data;
+    data.reserve(submit.length);
     for (IsoPacket& packet : submit.packets) {
         const auto next = throughFaults([&] {
             return Packet{device_.readInterval(endpoint_.address, packet.length, interval_),

@@ -3,6 +3,8 @@
 #include "tests/device/usbip/virtual_port.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <poll.h>
 #include <pthread.h>
 #include <sys/socket.h>
@@ -23,6 +25,24 @@ constexpr std::uint8_t kGetStatus = 0, kClearFeature = 1, kGetDescriptor = 6, kG
 } // namespace request
 
 constexpr std::uint8_t kToEndpoint = 2, kRecipientMask = 0x1f;
+
+void becomeUrgent(pid_t thread, int priority) {
+    const sched_param wanted{priority};
+    sched_setscheduler(thread, SCHED_FIFO, &wanted); // root may
+}
+
+/// A bus does not wait for programs: the kernel's threads between controller and wire run first,
+/// then the device's.
+void makeBusUrgent() {
+    becomeUrgent(0, 2);
+    std::error_code error;
+    for (const auto& process : std::filesystem::directory_iterator("/proc", error)) {
+        std::string name;
+        std::getline(std::ifstream(process.path() / "comm"), name);
+        if (name == "vhci_rx" || name == "vhci_tx")
+            becomeUrgent(std::stoi(process.path().filename().string()), 3);
+    }
+}
 
 } // namespace
 
@@ -64,6 +84,7 @@ void Plug::takeFaults() {
 
 void Plug::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "usb-device");
+    makeBusUrgent();
     while (!stop.stop_requested() && serve()) {
     }
     wire_.reset(); // the far end reads its end: the kernel lets the device go
