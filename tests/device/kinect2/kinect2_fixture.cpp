@@ -12,6 +12,7 @@
 #include <fstream>
 #include <thread>
 
+#include <execinfo.h>
 #include <unistd.h>
 
 namespace autostereo::test {
@@ -181,7 +182,25 @@ bool holdThread(const std::string& name, std::chrono::milliseconds time) {
     return false;
 }
 
+namespace {
+
+/// A guest leaves no core behind.
+void sayWhereItCrashes() {
+    struct sigaction crash {};
+    crash.sa_handler = [](int signal) {
+        std::array<void*, 48> frames{};
+        backtrace_symbols_fd(frames.data(), backtrace(frames.data(), frames.size()), 2);
+        std::signal(signal, SIG_DFL);
+        raise(signal);
+    };
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT})
+        sigaction(signal, &crash, nullptr);
+}
+
+} // namespace
+
 void Kinect2Test::SetUpTestSuite() {
+    sayWhereItCrashes();
     // What both streams hold at their fullest. First touched while a camera streams, at 0.2 ms a
     // page in a guest (see guest/run.sh), it would cost the first three seconds of pictures.
     if (!usbip::Plug::possible()) return;
