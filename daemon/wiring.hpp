@@ -40,9 +40,10 @@ using Tap = std::function<devices::Input(devices::Input)>;
 /// What records a session's sensors, and what it came to.
 class Recording {
   public:
-    /// Nothing is recorded without a file.
-    Recording(std::optional<std::filesystem::path> file, config::Speed speed)
-        : file_(std::move(file)), speed_(speed) {}
+    /// Nothing is recorded without a file; `raw`: what the device sends below its decoder.
+    Recording(std::optional<std::filesystem::path> file, std::optional<std::filesystem::path> raw,
+              config::Speed speed)
+        : file_(std::move(file)), rawFile_(std::move(raw)), speed_(speed) {}
     /// For the inputs of `config`, none of which may be the file itself. Throws UsageError.
     [[nodiscard]] Tap tap(const config::Config& config);
     /// Closes the file and logs what is in it. After the feed is gone.
@@ -51,9 +52,12 @@ class Recording {
     [[nodiscard]] std::optional<devices::Recorder::Counters> counters() const;
 
   private:
-    std::optional<std::filesystem::path> file_;
+    [[nodiscard]] devices::Input begin(devices::Input input);
+
+    std::optional<std::filesystem::path> file_, rawFile_;
     config::Speed speed_;
     std::shared_ptr<devices::Recorder> recorder_;
+    std::shared_ptr<devices::RawRecording> raw_;
 };
 
 /// realtime: two sensor threads; max: every frame in order. `clock` must outlive the feed.

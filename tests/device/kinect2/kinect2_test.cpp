@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <thread>
 
 namespace autostereo::test {
@@ -78,6 +79,65 @@ TEST_F(Kinect2Test, RecordsWhatItShows) {
         }
         EXPECT_LE(best, 1) << i;
     }
+}
+
+/// All that a frame holds.
+std::vector<std::byte> bytesOf(const devices::Frame& frame) {
+    std::vector<std::byte> all;
+    for (const auto part :
+         {std::span<const std::byte>(frame.pixels()), std::as_bytes(std::span(frame.amplitude())),
+          std::span<const std::byte>(frame.encoded())})
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+/// How many frames come within a number of reads, and which pictures they are.
+struct Shown {
+    std::size_t frames = 0;
+    std::set<std::vector<std::byte>> pictures;
+
+    void add(const devices::Frame& frame) {
+        if (frame.empty()) return;
+        ++frames;
+        pictures.insert(bytesOf(frame));
+    }
+};
+
+TEST_F(Kinect2Test, WhatItSendsIsRecordedBelowTheDecoder) {
+    plugIn(5);
+    const ScratchFolder folder;
+    const std::string file = folder / "kinect.raw";
+    Shown depths, colors;
+    {
+        const devices::Input live = devices::openInput("kinect2:");
+        const auto recording = live.recordRaw(file);
+        usbip::Faults faults;
+        faults.lose = 0.002; // every fifth frame
+        setFaults(faults, {});
+        for (int i = 0; i < 12; ++i) {
+            depths.add(nextFrame(*live.depth));
+            colors.add(nextFrame(*live.color));
+        }
+        recording->finish();
+        EXPECT_EQ(recording->counters().error, "");
+        EXPECT_EQ(recording->counters().leftOut, 0U);
+        std::printf("%llu records, %.1f MB\n",
+                    static_cast<unsigned long long>(recording->counters().written),
+                    static_cast<double>(recording->counters().bytes) * 1e-6);
+    }
+    const devices::Input again = devices::openInput(file);
+    Shown depthsAgain, colorsAgain;
+    for (auto [source, shown] :
+         {std::pair{again.depth.get(), &depthsAgain}, std::pair{again.color.get(), &colorsAgain}})
+        for (devices::Frame frame; !(frame = nextFrame(*source, nullptr, 500ms)).empty();)
+            shown->add(frame);
+    // The first frame was on its way when the recording began, perhaps, and a last one may not
+    // have been read any more.
+    EXPECT_GE(depthsAgain.frames + 1, depths.frames);
+    EXPECT_GE(colorsAgain.frames + 1, colors.frames);
+    EXPECT_EQ(depthsAgain.pictures, depths.pictures);
+    EXPECT_EQ(colorsAgain.pictures, colors.pictures);
+    EXPECT_GT(again.depth->counters().damaged, 0U) << "faults are recorded, too";
 }
 
 /// CPU time of this process's threads of that name, seconds.
