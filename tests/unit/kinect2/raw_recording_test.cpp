@@ -10,9 +10,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
+#include <csignal>
 #include <fstream>
-#include <sstream>
+#include <thread>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace autostereo::test {
 namespace {
@@ -140,6 +143,42 @@ TEST(RawRecording, ACutFilePlaysToItsLastWholeRecord) {
         std::filesystem::resize_file(file, size);
         EXPECT_THROW(static_cast<void>(openRawRecording(file, std::nullopt)), devices::DeviceError);
         std::ofstream(file, std::ios::binary) << whole;
+    }
+}
+
+TEST(RawRecording, AKilledRecorderLeavesWhatCanBePlayed) {
+    const ScratchFolder folder;
+    const std::string file = folder / "a.k2raw";
+    std::mt19937 random(5);
+    static_cast<void>(frames());
+    for (int i = 0; i < 8; ++i) {
+        std::filesystem::remove(file);
+        const pid_t child = fork();
+        if (child == 0) {
+            RawRecorder recorder(file);
+            recorder.start(pages(), TimePoint(50s));
+            for (int frame = 0;; ++frame) {
+                send(recorder, frames()[static_cast<std::size_t>(frame % 3)],
+                     TimePoint(50s + 33ms * frame));
+                std::this_thread::sleep_for(5ms);
+            }
+        }
+        std::error_code none;
+        const auto sizeNow = [&] {
+            const auto size = std::filesystem::file_size(file, none);
+            return none ? 0 : size;
+        };
+        for (int wait = 0; wait < 2000 && sizeNow() < 6'000'000; ++wait)
+            std::this_thread::sleep_for(5ms);
+        std::this_thread::sleep_for(std::chrono::milliseconds(random() % 60));
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        devices::Input input = openRawRecording(file, std::nullopt);
+        const std::size_t played = play(*input.depth).size();
+        EXPECT_GE(played, 1U);
+        // All that is in the file but a part of a frame.
+        EXPECT_GE(played, (sizeNow() - pages().phases.size()) / 3'000'000 - 1);
+        EXPECT_EQ(input.depth->counters().damaged, 0U);
     }
 }
 
