@@ -10,7 +10,7 @@ namespace autostereo::test::usbip {
 
 namespace {
 
-enum Command : std::uint32_t { kSubmit = 1, kUnlink = 2, kSubmitted = 3, kUnlinked = 4 };
+constexpr std::uint32_t kSubmit = 1, kUnlink = 2, kSubmitted = 3, kUnlinked = 4; // commands
 
 constexpr std::size_t kHeaderBytes = 48, kPacketBytes = 16, kSetupAt = 40;
 constexpr std::uint32_t kMostPackets = 1024, kMostBytes = 64U << 20U;
@@ -32,10 +32,10 @@ std::uint16_t little16At(const Bytes& bytes, std::size_t at) {
 }
 
 /// Command and sequence number, then fields that replies leave zero.
-Bytes replyHeader(Command command, std::uint32_t sequence, Status status) {
+Bytes replyHeader(std::uint32_t command, std::uint32_t sequence, Status status) {
     Bytes bytes;
     for (const std::uint32_t field :
-         {std::uint32_t{command}, sequence, 0U, 0U, 0U, static_cast<std::uint32_t>(status)})
+         {command, sequence, 0U, 0U, 0U, static_cast<std::uint32_t>(status)})
         putBig(bytes, field);
     return bytes;
 }
