@@ -31,12 +31,9 @@ void addScene(CLI::App& command, SceneOptions& scene) {
     command.add_option("--config", scene.config, "Configuration file");
 }
 
-void addLater(CLI::App& command, const char* option) {
-    command
-        .add_option_function<std::string>(
-            option, [option](const std::string&) { notInThisVersion(option); })
-        ->expected(0, 1)
-        ->group("");
+void addRecordRaw(CLI::App& command, std::optional<std::filesystem::path>& file) {
+    command.add_option("--record-raw", file,
+                       "File of what a kinect2: sends below its decoder, an input again");
 }
 
 void addRun(CLI::App& app, RunOptions& run) {
@@ -54,7 +51,7 @@ void addRun(CLI::App& app, RunOptions& run) {
     command->add_option("--report", run.report, "JSON with accounts, stage times and latency");
     command->add_option("--record", run.record,
                         "Matroska file (Azure Kinect convention) of what the cameras give");
-    addLater(*command, "--record-raw");
+    addRecordRaw(*command, run.recordRaw);
     command->footer("Example: autostereo run --input recording.mkv --display "
                     "looking-glass-portrait --output offscreen --frames 30 --report report.json");
 }
@@ -64,6 +61,7 @@ void addRecord(CLI::App& app, RecordOptions& record) {
     addScene(*command, record.scene);
     command->add_option("--output", record.output, "Matroska file (Azure Kinect convention)")
         ->required();
+    addRecordRaw(*command, record.recordRaw);
     command->add_option("--frames", record.frames, "Stop after so many pairs")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 53));
     command->add_option_function<std::string>("--speed", oneOf(record.speed, kSpeeds, "--speed"),

@@ -38,6 +38,7 @@ struct RunOptions {
     std::optional<std::uint64_t> frames;
     std::optional<config::Speed> speed;          ///< none: realtime
     std::optional<std::filesystem::path> record; ///< Matroska file
+    std::optional<std::filesystem::path> recordRaw;
     std::optional<std::filesystem::path> snapshot;
     std::optional<std::filesystem::path> report;
 };
@@ -45,6 +46,7 @@ struct RunOptions {
 struct RecordOptions {
     SceneOptions scene;
     std::filesystem::path output;
+    std::optional<std::filesystem::path> recordRaw;
     std::optional<std::uint64_t> frames;
     std::optional<config::Speed> speed; ///< none: realtime
 };

@@ -20,10 +20,6 @@ bool contains(const Words& words, std::string_view word) {
     return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
-[[noreturn]] inline void notInThisVersion(const std::string& what) {
-    throw UsageError(what + ": not in this version");
-}
-
 /// A word out of a table.
 template<class Value>
 auto oneOf(std::optional<Value>& to, const std::map<std::string, Value>& table,

@@ -129,9 +129,10 @@ devices::Input openScene(const config::Config& config, const Tap& tap) {
     return devices::completeStreams(std::move(input));
 }
 
-Recording::Recording(std::optional<std::filesystem::path> file, config::Speed speed,
+Recording::Recording(std::optional<std::filesystem::path> file,
+                     std::optional<std::filesystem::path> raw, config::Speed speed,
                      const devices::RingParams& ring)
-    : file_(std::move(file)), speed_(speed) {
+    : file_(std::move(file)), rawFile_(std::move(raw)), speed_(speed) {
     if (ring.length == devices::Duration{0}) return;
     ring_ = std::make_shared<devices::RecordingRing>(ring);
     spdlog::info("record: the cameras' last {:g} s stay in memory, {} MiB at most",
@@ -139,18 +140,26 @@ Recording::Recording(std::optional<std::filesystem::path> file, config::Speed sp
 }
 
 Tap Recording::tap(const config::Config& config) {
-    if (!file_ && !ring_) return {};
-    for (const std::string& input : {config.input, config.color.value_or(config.input)}) {
-        std::error_code none; // a file that is not there is no input
-        if (file_ && std::filesystem::equivalent(*file_, devices::parseUri(input).path, none))
-            throw UsageError("cannot record to " + file_->string() +
-                             ": it is the input itself, which would be lost; name another file");
-    }
-    return [this](devices::Input input) { return record(std::move(input)); };
+    if (!file_ && !rawFile_ && !ring_) return {};
+    for (const auto& file : {file_, rawFile_})
+        for (const std::string& input : {config.input, config.color.value_or(config.input)}) {
+            std::error_code none; // a file that is not there is no input
+            if (file && std::filesystem::equivalent(*file, devices::parseUri(input).path, none))
+                throw UsageError("cannot record to " + file->string() +
+                                 ": it is the input itself, which would be lost; name another "
+                                 "file");
+        }
+    return [this](devices::Input input) { return begin(std::move(input)); };
 }
 
-devices::Input Recording::record(devices::Input input) {
+devices::Input Recording::begin(devices::Input input) {
     using WhenBehind = devices::Recorder::WhenBehind;
+    if (rawFile_) {
+        if (!input.recordRaw)
+            throw UsageError("--record-raw: " + input.uri +
+                             " has nothing below a decoder to be recorded (kinect2: has)");
+        raw_ = input.recordRaw(*rawFile_);
+    }
     if (file_) {
         recorder_ = std::make_shared<devices::Recorder>(
             *file_, input, speed_ == config::Speed::Max ? WhenBehind::Wait : WhenBehind::LeaveOut);
@@ -164,12 +173,18 @@ devices::Input Recording::record(devices::Input input) {
 }
 
 void Recording::finish() {
+    const auto log = [](const std::filesystem::path& file, const char* of, const auto& counters) {
+        spdlog::info("recording: {}: {} {}, {:.1f} MiB, {} left out", file.string(),
+                     counters.written, of, static_cast<double>(counters.bytes) / (1024 * 1024),
+                     counters.leftOut);
+    };
+    if (raw_) {
+        raw_->finish();
+        log(*rawFile_, "records", raw_->counters());
+    }
     if (!recorder_) return;
     recorder_->finish();
-    const devices::Recorder::Counters counters = recorder_->counters();
-    spdlog::info("recording: {}: {} pictures, {:.1f} MiB, {} left out", file_->string(),
-                 counters.written, static_cast<double>(counters.bytes) / (1024 * 1024),
-                 counters.leftOut);
+    log(*file_, "pictures", recorder_->counters());
 }
 
 std::optional<devices::Recorder::Counters> Recording::counters() const {

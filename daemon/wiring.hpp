@@ -41,9 +41,10 @@ using Tap = std::function<devices::Input(devices::Input)>;
 /// What records a session's sensors, and what it came to.
 class Recording {
   public:
-    /// Nothing is recorded without a file, nothing kept in memory without a ring's length.
-    Recording(std::optional<std::filesystem::path> file, config::Speed speed,
-              const devices::RingParams& ring);
+    /// Nothing is recorded without a file, nothing kept in memory without a ring's length; `raw`:
+    /// what the device sends below its decoder.
+    Recording(std::optional<std::filesystem::path> file, std::optional<std::filesystem::path> raw,
+              config::Speed speed, const devices::RingParams& ring);
     /// For the inputs of `config`, none of which may be the file itself. Throws UsageError.
     [[nodiscard]] Tap tap(const config::Config& config);
     /// Closes the file and logs what is in it. After the feed is gone.
@@ -55,11 +56,12 @@ class Recording {
     [[nodiscard]] const devices::RecordingRing* ring() const { return ring_.get(); }
 
   private:
-    [[nodiscard]] devices::Input record(devices::Input input);
+    [[nodiscard]] devices::Input begin(devices::Input input);
 
-    std::optional<std::filesystem::path> file_;
+    std::optional<std::filesystem::path> file_, rawFile_;
     config::Speed speed_;
     std::shared_ptr<devices::Recorder> recorder_;
+    std::shared_ptr<devices::RawRecording> raw_;
     std::shared_ptr<devices::RecordingRing> ring_;
 };
 

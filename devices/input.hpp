@@ -1,8 +1,11 @@
 #pragma once
 
 #include "calib/sensor_rig.hpp"
+#include "devices/record/raw_recording.hpp"
 #include "devices/source.hpp"
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -49,6 +52,9 @@ struct Input {
     Duration startsAt{0};      ///< media time of the first frame of either stream
     Duration nominalPeriod{0}; ///< between frames, 0: unknown
     Reopeners reopen;
+    /// Starts to write what the device sends below its decoder; throws RecordingError. Empty: this
+    /// input has nothing there.
+    std::function<std::shared_ptr<RawRecording>(const std::filesystem::path&)> recordRaw;
     bool depthIsLive = false; ///< stamped by a sensor, on the host's clock; else a recording
     bool colorIsLive = false;
     std::vector<std::string> warnings;

@@ -1,4 +1,5 @@
 #include "devices/input.hpp"
+#include "devices/kinect2/raw/raw_input.hpp"
 #include "devices/kinect2/usb/open_unit.hpp"
 #include "devices/mesh/open_mesh.hpp"
 #include "devices/openni2/oni_file.hpp"
@@ -37,6 +38,7 @@ Input openFile(const Uri& uri, const std::optional<calib::SensorRig>& rig) {
     if (!std::filesystem::exists(path, error))
         throw DeviceError("cannot open " + uri.text + ": no such file", true);
     if (extension == ".oni") return openni2::openOniFile(path, rig);
+    if (kinect2::isRawRecording(path)) return kinect2::openRawRecording(path, rig);
     if (extension != ".mkv")
         throw AddressError("cannot open " + uri.text + ": unknown kind of file (allowed " +
                            std::string(kKnown) + ")");

@@ -13,7 +13,7 @@ int record(const RecordOptions& options) {
     setUpLog(config.log.level);
     const StopSignal stop;
     const config::Speed speed = options.speed.value_or(config::Speed::Realtime);
-    Recording recording(options.output, speed, {});
+    Recording recording(options.output, options.recordRaw, speed, {});
     devices::SteadyClock clock;
     auto feed = openFeed(openScene(config, recording.tap(config)), config, speed, false, clock);
     const auto isOver = [&] {

@@ -44,7 +44,8 @@ Session::Session(const RunOptions& options, const config::Config& config, Tap se
     : config_(config), output_(options.output.value_or(chooseOutput(config))),
       realtime_(options.speed.value_or(config::Speed::Realtime) == config::Speed::Realtime),
       sensors_(std::move(sensors)),
-      recording_(options.record, options.speed.value_or(config::Speed::Realtime), config.ring),
+      recording_(options.record, options.recordRaw, options.speed.value_or(config::Speed::Realtime),
+                 config.ring),
       input_(isScene(config) || waitsForInput() ? std::nullopt
                                                 : std::make_optional(openScene(config, tap()))),
       scene_(isScene(config) ? std::make_optional(openMeshScene(config)) : std::nullopt),
@@ -54,7 +55,7 @@ Session::Session(const RunOptions& options, const config::Config& config, Tap se
     report_.input = config.input;
     report_.stageNames.assign(gpu::Pipeline::kStages.begin(), gpu::Pipeline::kStages.end());
     report_.stageMs.resize(report_.stageNames.size());
-    if (scene_ && options.record)
+    if (scene_ && (options.record || options.recordRaw))
         throw UsageError("run: cannot record " + config.input + ": a scene has no cameras");
     if (!scene_) openViewer();
     screen_.onStageTime([this](std::size_t stage, double ms) { report_.stageMs[stage].add(ms); });

@@ -12,6 +12,10 @@
 namespace autostereo::devices {
 
 void writeWhole(const std::filesystem::path& path, std::string_view bytes, std::string_view who) {
+    std::error_code nothing; // is there
+    if (std::filesystem::exists(path, nothing) && !std::filesystem::is_regular_file(path, nothing))
+        throw std::runtime_error(std::string(who) + "cannot write " + path.string() +
+                                 ": it is there and no plain file");
     const std::string temporary = path.string() + "." + std::to_string(::getpid()) + ".part";
     std::ofstream out(temporary, std::ios::binary);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -6,7 +6,8 @@
 namespace autostereo::devices {
 
 /// Writes under a temporary name that becomes `path` only when complete: a file that is there is
-/// the whole one. Throws std::runtime_error, whose text begins with `who`.
+/// the whole one. Never replaces what is no plain file (a device). Throws std::runtime_error, whose
+/// text begins with `who`.
 void writeWhole(const std::filesystem::path& path, std::string_view bytes,
                 std::string_view who = "");
 

@@ -78,6 +78,14 @@ void writeKinect2(const fs::path& output) {
         for (const unsigned byte : {3U, 0U, 0U, 0U, 1U, 0U, 0U, 0U, i, 0U, 0U, 0U})
             steps.push_back(static_cast<std::byte>(byte));
     write(folder(output, "kinect2_depth") / "frame", steps);
+    std::vector<std::byte> records(1, std::byte{255}); // a serial number, a firmware's, two packets
+    for (const unsigned kind : {1U, 2U, 6U, 7U}) {
+        for (const unsigned byte : {0U, 0U, 0U, 0U, kind, 0U, 0U, 0U, 4U, 0U, 0U, 0U,
+                                    1U, 0U, 0U, 0U, 0U,   0U, 0U, 0U, 0U, 0U, 0U, 0U})
+            records.push_back(static_cast<std::byte>(byte));
+        records.insert(records.end(), 4, std::byte{'5'});
+    }
+    write(folder(output, "kinect2_raw") / "records", records);
 }
 
 void writeRequests(const fs::path& output) {

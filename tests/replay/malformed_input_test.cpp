@@ -166,7 +166,8 @@ TEST_F(MalformedInput, WrongCommandLines) {
     EXPECT_TRUE(fails({"run", "--frames", "0"}));
     EXPECT_TRUE(fails({"run", "--frames", "many"}));
     EXPECT_TRUE(fails({"run", "--display", "cathode-ray-tube"}));
-    EXPECT_TRUE(fails({"run", "--record-raw", "a"})) << "known, but not in this version";
+    EXPECT_TRUE(fails({"run", "--input", "sim:room", "--record-raw", folder / "a"}))
+        << "there is nothing below its decoder";
     EXPECT_TRUE(fails({"render", "--as", "panel"})) << "--output is missing";
     EXPECT_TRUE(fails({"render", "--as", "hologram", "--output", folder / "p.png"}));
     EXPECT_TRUE(fails({"render", "--as", "view", "--eye", "0,0", "--output", folder / "p.png"}));

@@ -1,11 +1,9 @@
 #include "devices/kinect2/usb/open_unit.hpp"
 
-#include "devices/kinect2/mirror.hpp"
-#include "devices/kinect2/registration.hpp"
+#include "devices/kinect2/raw/raw_recorder.hpp"
 #include "devices/kinect2/usb/unit_sources.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <mutex>
 #include <utility>
 
@@ -42,10 +40,17 @@ class SharedUnit {
         if (unit && !unit->lost()) return unit;
         // Its calibration is this unit's: another one would not do.
         if (opened_) node_ = find(node_.serial);
-        unit = std::make_shared<Unit>(node_, patience_);
+        unit = std::make_shared<Unit>(node_, patience_, tap_);
         opened_ = true;
         unit_ = unit;
         return unit;
+    }
+
+    /// Gets what this unit sends, from now on.
+    void setTap(std::shared_ptr<RawTap> tap) {
+        const std::lock_guard lock(mutex_);
+        tap_ = std::move(tap);
+        if (const auto unit = unit_.lock()) unit->setTap(tap_);
     }
 
   private:
@@ -53,22 +58,9 @@ class SharedUnit {
     UnitNode node_;
     bool opened_ = false;
     std::shared_ptr<UnitPatience> patience_ = std::make_shared<UnitPatience>();
+    std::shared_ptr<RawTap> tap_;
     std::weak_ptr<Unit> unit_;
 };
-
-std::string describe(const UnitFacts& facts, const FittedRig& fitted) {
-    char pixels[64];
-    std::string text = "Kinect v2 " + facts.serial + ", firmware " + facts.firmware +
-                       ", 512x424 depth and 1920x1080 colour at 30 fps";
-    const RegistrationCheck check = checkRegistration(facts.color, facts.depth);
-    if (check.points > 0) {
-        std::snprintf(pixels, sizeof pixels, "; %d points of its factory met to %.2f px",
-                      check.points, check.rmsPx);
-        text += pixels;
-    }
-    std::snprintf(pixels, sizeof pixels, "; its rig fits to %.2f px", fitted.rmsPx);
-    return text + pixels;
-}
 
 } // namespace
 
@@ -82,13 +74,7 @@ Input openKinect2(const Uri& uri, const std::optional<calib::SensorRig>& rig) {
     const auto shared = std::make_shared<SharedUnit>(node);
     const auto continuity = std::make_shared<UnitContinuity>();
     const std::shared_ptr<Unit> unit = shared->get();
-    const UnitFacts& facts = unit->facts();
-    const FittedRig fitted = fitRig(facts.color, facts.depth);
-    input.description = describe(facts, fitted);
-    if (!facts.phases.note.empty())
-        input.warnings.push_back("kinect2 " + node.serial + ": " + facts.phases.note);
-    input.rig = rig ? *rig : mirrored(fitted.rig);
-    input.nominalPeriod = std::chrono::nanoseconds(33'333'333);
+    describe(input, unit->facts(), rig);
     input.depth = std::make_unique<DepthSource>(unit, continuity);
     input.color = std::make_unique<ColorSource>(unit, continuity);
     input.reopen.depth = [shared, continuity]() -> std::unique_ptr<Source> {
@@ -96,6 +82,11 @@ Input openKinect2(const Uri& uri, const std::optional<calib::SensorRig>& rig) {
     };
     input.reopen.color = [shared, continuity]() -> std::unique_ptr<Source> {
         return std::make_unique<ColorSource>(shared->get(), continuity);
+    };
+    input.recordRaw = [shared](const std::filesystem::path& file) {
+        auto recorder = std::make_shared<RawRecorder>(file);
+        shared->setTap(recorder);
+        return recorder;
     };
     input.depthIsLive = input.colorIsLive = true;
     return input;

@@ -25,12 +25,20 @@ constexpr auto kSlice = milliseconds(50);
 
 TimePoint now() { return std::chrono::steady_clock::now(); }
 
+/// A late reader loses packets, a late decoder only pictures. Where the system does not permit it,
+/// the transfers on their way have to do.
+void becomeUrgent() {
+    const sched_param lowest{1};
+    pthread_setschedparam(pthread_self(), SCHED_RR, &lowest);
+}
+
 } // namespace
 
-Unit::Unit(const UnitNode& node, std::shared_ptr<UnitPatience> patience)
+Unit::Unit(const UnitNode& node, std::shared_ptr<UnitPatience> patience,
+           std::shared_ptr<RawTap> tap)
     : name_("kinect2 " + node.serial), patience_(std::move(patience)),
-      link_(std::make_unique<UsbLink>(node.node, kInterfaces)),
-      facts_(UnitControl(*link_).start()) {
+      link_(std::make_unique<UsbLink>(node.node, kInterfaces)), facts_(UnitControl(*link_).start()),
+      newTap_(std::move(tap)) {
     startStreams();
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -67,10 +75,12 @@ std::string Unit::whyLost() const {
 
 void Unit::run(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "kinect2-usb");
+    becomeUrgent();
     while (!stop.stop_requested() && !link_->lost()) {
-        link_->handleEvents(kSlice);
         for (const auto& stream : streams_)
             if (!link_->lost()) stream->revive();
+        takeNewTap();
+        link_->handleEvents(kSlice);
         watchSilence();
     }
     {
@@ -95,33 +105,42 @@ void Unit::watchSilence() {
 }
 
 void Unit::takeDepth(std::span<const std::byte> packet, bool intact) {
-    if (!packet.empty()) patience_->depth.frame(now(), Duration(0));
-    const bool complete = depthPackets_.append(packet, intact);
+    // Most are empty, and asking for the time costs more than they do.
+    const TimePoint arrived = packet.empty() ? TimePoint{} : now();
+    if (!packet.empty()) patience_->depth.frame(arrived, Duration(0));
+    if (tap_) tap_->depth(packet, intact, arrived);
+    const bool complete = packets_.depth(packet, intact, arrived, nextDepth_);
     if (!complete && intact) return;
-    {
-        const std::lock_guard lock(mutex_);
-        counters_.depth = depthPackets_.counters();
-    }
-    if (!complete) return;
-    depthPackets_.swapFrame(nextDepth_.frame);
-    nextDepth_.capturedAt = clock_.depth(nextDepth_.frame.timestamp, now());
-    depth_.put(nextDepth_);
+    publishCounters();
+    if (complete) depth_.put(nextDepth_);
 }
 
 void Unit::takeColor(std::span<const std::byte> packet, bool intact) {
-    if (!packet.empty()) patience_->color.frame(now(), Duration(0));
-    if (!intact) colorPackets_.reset();
-    const auto picture = intact ? colorPackets_.append(packet) : std::nullopt;
-    if (!picture && intact) return;
-    {
-        const std::lock_guard lock(mutex_);
-        counters_.color = colorPackets_.counters();
-    }
-    if (!picture) return;
-    nextColor_.jpeg.assign(picture->jpeg.begin(), picture->jpeg.end());
-    nextColor_.sequence = picture->sequence;
-    nextColor_.capturedAt = clock_.color(picture->timestamp, picture->exposureMs, now());
-    color_.put(nextColor_);
+    const TimePoint arrived = now();
+    if (!packet.empty()) patience_->color.frame(arrived, Duration(0));
+    if (tap_) tap_->color(packet, intact, arrived);
+    const bool complete = packets_.color(packet, intact, arrived, nextColor_);
+    if (!complete && intact) return;
+    publishCounters();
+    if (complete) color_.put(nextColor_);
+}
+
+void Unit::publishCounters() {
+    const std::lock_guard lock(mutex_);
+    static_cast<UnitPackets::Counters&>(counters_) = packets_.counters();
+    counters_.depthUnderruns = streams_.back()->underruns();
+}
+
+void Unit::setTap(std::shared_ptr<RawTap> tap) {
+    const std::lock_guard lock(mutex_);
+    newTap_ = std::move(tap);
+}
+
+void Unit::takeNewTap() {
+    const std::lock_guard lock(mutex_);
+    if (!newTap_) return;
+    tap_ = std::move(newTap_);
+    tap_->start(facts_.pages, now());
 }
 
 void Unit::shutDown() try {

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "devices/kinect2/color_packets.hpp"
-#include "devices/kinect2/depth_packets.hpp"
-#include "devices/kinect2/unit_clock.hpp"
+#include "devices/kinect2/raw/raw_tap.hpp"
+#include "devices/kinect2/unit_packets.hpp"
 #include "devices/kinect2/usb/find_units.hpp"
 #include "devices/kinect2/usb/unit_control.hpp"
 #include "devices/kinect2/usb/usb_stream.hpp"
@@ -17,16 +16,6 @@
 
 namespace autostereo::devices::kinect2 {
 
-struct TimedDepth {
-    RawDepthFrame frame;
-    TimePoint capturedAt{};
-};
-struct TimedColor {
-    std::vector<std::byte> jpeg; ///< mirrored, as the camera sends it
-    std::uint32_t sequence = 0;
-    TimePoint capturedAt{};
-};
-
 /// How long the streams of a camera may be silent, also of one that comes back.
 struct UnitPatience {
     SilenceWatch depth;
@@ -38,13 +27,13 @@ struct UnitPatience {
 /// Thread-safe but for its construction.
 class Unit {
   public:
-    struct Counters {
-        DepthPackets::Counters depth;
-        ColorPackets::Counters color;
+    struct Counters : UnitPackets::Counters {
+        std::uint64_t depthUnderruns = 0; ///< see UsbStream::underruns
     };
 
     /// Opens and starts it, about a quarter of a second. Throws DeviceError.
-    Unit(const UnitNode& node, std::shared_ptr<UnitPatience> patience);
+    Unit(const UnitNode& node, std::shared_ptr<UnitPatience> patience,
+         std::shared_ptr<RawTap> tap = nullptr);
     ~Unit();
     Unit(const Unit&) = delete;
     Unit& operator=(const Unit&) = delete;
@@ -54,6 +43,8 @@ class Unit {
     [[nodiscard]] Latest<TimedDepth>& depth() { return depth_; }
     [[nodiscard]] Latest<TimedColor>& color() { return color_; }
     [[nodiscard]] Counters counters() const;
+    /// Gets all packets from now on.
+    void setTap(std::shared_ptr<RawTap> tap);
     [[nodiscard]] bool lost() const { return lost_.load(std::memory_order_acquire); }
     [[nodiscard]] std::string whyLost() const;
 
@@ -63,23 +54,25 @@ class Unit {
     void watchSilence();
     void takeDepth(std::span<const std::byte> packet, bool intact);
     void takeColor(std::span<const std::byte> packet, bool intact);
+    void publishCounters();
+    void takeNewTap();
     void shutDown();
 
     std::string name_;
     std::shared_ptr<UnitPatience> patience_;
     std::unique_ptr<UsbLink> link_; ///< none: closed
     UnitFacts facts_;
-    UnitClock clock_;
-    DepthPackets depthPackets_;
-    ColorPackets colorPackets_;
+    UnitPackets packets_;
+    std::shared_ptr<RawTap> tap_; ///< of the thread
     TimedDepth nextDepth_;
     TimedColor nextColor_;
     std::vector<std::unique_ptr<UsbStream>> streams_;
     Latest<TimedDepth> depth_;
     Latest<TimedColor> color_;
     mutable std::mutex mutex_;
-    Counters counters_;   ///< under mutex_
-    std::string whyLost_; ///< under mutex_
+    Counters counters_;              ///< under mutex_
+    std::string whyLost_;            ///< under mutex_
+    std::shared_ptr<RawTap> newTap_; ///< under mutex_
     std::atomic<bool> lost_{false};
     std::jthread thread_; // last: it uses all of the above
 };

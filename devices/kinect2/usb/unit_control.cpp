@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace autostereo::devices::kinect2 {
 
@@ -82,13 +83,14 @@ UnitFacts UnitControl::start() {
     suspendFunction(false);
     forgetOldReplies();
 
-    UnitFacts facts;
-    facts.firmware = firmwareVersion(ask(Command::ReadVersions, kVersionsBytes, {}));
+    UnitPages pages;
+    pages.firmware = firmwareVersion(ask(Command::ReadVersions, kVersionsBytes, {}));
     static_cast<void>(ask(Command::ReadHardwareInfo, kHardwareInfoBytes, {}));
-    facts.serial = serialNumber(page(Page::Serial, kSerialBytes));
-    facts.depth = parseDepthCameraPage(page(Page::DepthCamera));
-    facts.phases = parsePhasePage(page(Page::PhaseOffsets));
-    facts.color = parseColorPage(page(Page::ColorCamera));
+    pages.serial = serialNumber(page(Page::Serial, kSerialBytes));
+    pages.depth = page(Page::DepthCamera);
+    pages.phases = page(Page::PhaseOffsets);
+    pages.color = page(Page::ColorCamera);
+    UnitFacts facts = parseFacts(std::move(pages)); // before anything is started for nothing
 
     pulseMode();
     waitUntilReady();

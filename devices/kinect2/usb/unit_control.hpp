@@ -1,23 +1,13 @@
 #pragma once
 
-#include "devices/kinect2/calibration.hpp"
 #include "devices/kinect2/command.hpp"
+#include "devices/kinect2/unit_facts.hpp"
 #include "devices/kinect2/usb/usb_link.hpp"
 
 #include <initializer_list>
-#include <string>
 #include <vector>
 
 namespace autostereo::devices::kinect2 {
-
-/// What a unit says of itself when it is started.
-struct UnitFacts {
-    std::string serial;
-    std::string firmware;
-    PhaseCalibration phases;
-    DepthCamera depth;
-    ColorCalibration color;
-};
 
 /// Starts and stops a camera: commands and their replies over an open link, in the order in which
 /// the maker's driver sends them. Everything throws DeviceError. Thread-bound.

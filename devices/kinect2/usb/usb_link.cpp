@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 
 namespace autostereo::devices::kinect2 {
 
@@ -119,6 +120,11 @@ std::vector<std::byte> UsbLink::read(std::uint8_t endpoint, std::size_t most, Du
     if (answer != LIBUSB_ERROR_TIMEOUT) check(answer, "read its answer");
     bytes.resize(static_cast<std::size_t>(std::clamp(received, 0, static_cast<int>(most))));
     return bytes;
+}
+
+bool UsbLink::somethingEnded() const {
+    pollfd node{fd_.get(), POLLOUT, 0}; // so usbfs says it
+    return poll(&node, 1, 0) != 0;
 }
 
 void UsbLink::handleEvents(Duration atMost) {

@@ -39,6 +39,8 @@ class UsbLink {
     [[nodiscard]] std::vector<std::byte> read(std::uint8_t endpoint, std::size_t most,
                                               Duration patience);
 
+    /// Whether transfers have ended, or all of them will, that `handleEvents` has not looked at.
+    [[nodiscard]] bool somethingEnded() const;
     /// Lets streams' transfers end, for so long at most.
     void handleEvents(Duration atMost);
 

@@ -15,6 +15,33 @@ namespace {
 
 /// A quarter of a second of isochronous transfers.
 constexpr int kMostFailures = 64;
+constexpr auto kInterval = std::chrono::microseconds(125); // USB 3, bInterval 1
+
+TimePoint now() { return std::chrono::steady_clock::now(); }
+
+/// Memory for one transfer: the kernel's own, which it fills without clearing it first and copying
+/// it afterwards, else ours.
+class TransferMemory {
+  public:
+    TransferMemory(libusb_device_handle* handle, std::size_t bytes)
+        : handle_(handle), kernels_(libusb_dev_mem_alloc(handle, bytes), bytes),
+          ours_(kernels_.data() == nullptr ? bytes : 0) {}
+    ~TransferMemory() {
+        if (kernels_.data() != nullptr)
+            libusb_dev_mem_free(handle_, kernels_.data(), kernels_.size());
+    }
+    TransferMemory(const TransferMemory&) = delete;
+    TransferMemory& operator=(const TransferMemory&) = delete;
+
+    [[nodiscard]] std::span<unsigned char> bytes() {
+        return kernels_.data() != nullptr ? kernels_ : std::span(ours_);
+    }
+
+  private:
+    libusb_device_handle* handle_;
+    std::span<unsigned char> kernels_;
+    std::vector<unsigned char> ours_;
+};
 
 } // namespace
 
@@ -22,10 +49,10 @@ constexpr int kMostFailures = 64;
 class UsbStream::Transfer {
   public:
     Transfer(UsbStream& stream, const Shape& shape, libusb_device_handle* handle)
-        : stream_(stream), buffer_(static_cast<std::size_t>(shape.bytes())),
+        : stream_(stream), memory_(handle, static_cast<std::size_t>(shape.bytes())),
           raw_(libusb_alloc_transfer(shape.packets)) {
         if (!raw_) throw DeviceError("kinect2: no memory for USB transfers");
-        auto* bytes = reinterpret_cast<unsigned char*>(buffer_.data());
+        unsigned char* bytes = memory_.bytes().data();
         if (shape.packets > 0) {
             libusb_fill_iso_transfer(raw_.get(), handle, shape.endpoint, bytes, shape.bytes(),
                                      shape.packets, whenEnded, this, 0);
@@ -37,8 +64,9 @@ class UsbStream::Transfer {
     }
 
     [[nodiscard]] libusb_transfer& raw() const { return *raw_; }
-    [[nodiscard]] std::span<const std::byte> bytes() const { return buffer_; }
+    [[nodiscard]] std::span<const std::byte> bytes() { return std::as_bytes(memory_.bytes()); }
     bool onItsWay = false;
+    bool late = false; ///< packets before it may be missing
 
   private:
     struct Free {
@@ -50,12 +78,13 @@ class UsbStream::Transfer {
     }
 
     UsbStream& stream_;
-    std::vector<std::byte> buffer_;
+    TransferMemory memory_;
     std::unique_ptr<libusb_transfer, Free> raw_;
 };
 
 UsbStream::UsbStream(UsbLink& link, const Shape& shape, Sink sink)
     : link_(link), shape_(shape), sink_(std::move(sink)) {
+    if (shape.packets > 0) watch_.emplace(shape.packets * kInterval);
     for (int i = 0; i < shape.transfers; ++i) {
         transfers_.push_back(std::make_unique<Transfer>(*this, shape_, link_.handle()));
         submit(*transfers_.back());
@@ -77,13 +106,18 @@ UsbStream::~UsbStream() {
 }
 
 void UsbStream::submit(Transfer& transfer) {
+    const TimePoint before = now();
     const int answer = libusb_submit_transfer(&transfer.raw());
+    transfer.late = answer == 0 && watch_ && watch_->submitted(before, now());
+    underruns_ += transfer.late ? 1 : 0;
     if (answer == LIBUSB_ERROR_NO_DEVICE) link_.lose("it was unplugged");
     transfer.onItsWay = answer == 0;
     onTheirWay_ += transfer.onItsWay ? 1 : 0;
 }
 
 void UsbStream::revive() {
+    const TimePoint time = now();
+    if (watch_ && !link_.somethingEnded()) watch_->noneEnded(time, onTheirWay_);
     for (const auto& transfer : transfers_)
         if (!transfer->onItsWay && !cancelled_ && !link_.lost()) submit(*transfer);
     if (idle() && !cancelled_) link_.lose("the kernel takes no USB transfers any more");
@@ -108,8 +142,9 @@ void UsbStream::ended(Transfer& transfer) {
     if (!link_.lost()) submit(transfer);
 }
 
-void UsbStream::deliver(const Transfer& transfer) {
+void UsbStream::deliver(Transfer& transfer) {
     failures_ = 0;
+    if (transfer.late) sink_({}, true);
     const libusb_transfer& raw = transfer.raw();
     const auto bytes = transfer.bytes();
     if (shape_.packets == 0) {
@@ -127,6 +162,7 @@ void UsbStream::deliver(const Transfer& transfer) {
 
 void UsbStream::countFailure(int status) {
     sink_({}, false);
+    if (watch_) watch_->failed(now());
     if (status == LIBUSB_TRANSFER_STALL) link_.lose("it stopped a stream");
     if (++failures_ > kMostFailures) link_.lose("nothing comes through the bus any more");
 }

@@ -2,8 +2,9 @@
 # usage: run.sh PROGRAM [arguments]
 # Runs a program as root inside a guest: a user-mode Linux kernel (see build_kernel.sh) with vivid,
 # uvcvideo, USB/IP and vgem, whose files are the host's and whose writes vanish. Exit code: the
-# program's; 77: no guest can be had here, why. AUTOSTEREO_GUEST_SECONDS bounds it (300). Of the environment
-# the program gets what is named below.
+# program's; 77: no guest can be had here, why. AUTOSTEREO_GUEST_SECONDS bounds it (300);
+# AUTOSTEREO_GUEST_URGENT=1: it runs before all else on this machine (a processor of its own for frames
+# that must be on time). Of the environment the program gets what is named below.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 passed_on='^(AUTOSTEREO_|GTEST_|ASAN_|UBSAN_|TSAN_|LIBGL_|XDG_CACHE_HOME)'
@@ -37,8 +38,10 @@ trap 'rm -rf "$exchange"' EXIT
     printf '%q ' exec "$program" "${@:2}"
 } >"$exchange/command"
 
+urgent=()
+[[ ${AUTOSTEREO_GUEST_URGENT:-0} != 1 ]] || urgent=(chrt --rr 1)
 TMPDIR=$memory_folder timeout --foreground -k 5 "${AUTOSTEREO_GUEST_SECONDS:-300}" \
-    "$kernel" mem=${memory_mib}M root=/dev/root rootfstype=hostfs rootflags=/ ro init="$here/init.sh" \
+    "${urgent[@]}" "$kernel" mem=${memory_mib}M root=/dev/root rootfstype=hostfs rootflags=/ ro init="$here/init.sh" \
     exchange="$exchange" uml_dir="$exchange/" con=null con0=fd:0,fd:1 console=tty0 quiet \
     vivid.n_devs=1 vivid.node_types=0x1 vivid.num_inputs=1 vivid.input_types=0 \
     </dev/null 2>&1 | grep -v --line-buffered \

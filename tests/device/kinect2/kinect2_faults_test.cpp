@@ -76,6 +76,30 @@ TEST_F(Kinect2Test, CutPacketsAreSeen) {
     EXPECT_GT(input.depth->counters().damaged, 0U);
 }
 
+TEST_F(Kinect2Test, HalvesAroundAnUnderrunAreNotJoined) {
+    plugIn(15); // phases take a fifth of the time: underruns meet them often enough
+    camera->setTreacherous(true);
+    const Input input = devices::openInput("kinect2:");
+    const int holds = fullCampaign() ? 400 : 40;
+    std::mt19937 random(12);
+    std::uniform_int_distribution<int> betweenMs(100, 166);
+    int good = 0, misread = 0;
+    for (int i = 0; i < holds; ++i) {
+        // Longer than the transfers that are on their way, 48 ms.
+        ASSERT_TRUE(holdThread("kinect2-usb", 70ms));
+        for (const auto end = now() + std::chrono::milliseconds(betweenMs(random)); now() < end;) {
+            const devices::Frame frame = nextFrame(*input.depth, nullptr, 20ms);
+            if (!frame.empty()) ++(expectedPictures().find(frame) ? good : misread);
+        }
+    }
+    std::printf("%d times held: %u underruns, %d depth frames good, %d misread, %llu broken\n",
+                holds, camera->underruns(), good, misread,
+                static_cast<unsigned long long>(input.depth->counters().damaged));
+    EXPECT_GE(camera->underruns(), static_cast<unsigned>(holds) / 2);
+    EXPECT_GT(good, 0);
+    EXPECT_EQ(misread, 0);
+}
+
 /// Memory that was asked for and not given back, MiB; what is free, a guest's heap keeps.
 double usedMib() {
     const auto heap = mallinfo2();

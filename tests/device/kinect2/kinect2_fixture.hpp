@@ -41,6 +41,9 @@ struct ExpectedPictures {
 /// and so on.
 [[nodiscard]] double possibleFps();
 
+/// Stops a thread of this process, by its name, for a while; false: there is none.
+[[nodiscard]] bool holdThread(const std::string& name, std::chrono::milliseconds time);
+
 /// A camera that can be plugged in.
 class Kinect2Test : public testing::Test {
   protected:

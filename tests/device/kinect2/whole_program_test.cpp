@@ -118,5 +118,26 @@ TEST_F(Kinect2Test, TheProgramShowsWhatStandsBeforeTheCamera) {
     EXPECT_EQ(found.unexplained, 0U);
 }
 
+TEST_F(Kinect2Test, TheProgramRecordsBelowTheDecoder) {
+    plugIn(5);
+    const ScratchFolder folder;
+    const std::string raw = folder / "camera.raw", show = folder / "show.mkv";
+    ProgramCall call;
+    call.program = AUTOSTEREO_PROGRAM;
+    call.arguments = {"record",   "--input", "kinect2:",     "--frames", "3",
+                      "--output", show,      "--record-raw", raw};
+    const ProgramResult result = runProgram(call);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NE(result.err.find("camera.raw: "), std::string::npos) << result.err;
+    for (const std::string& file : {raw, show}) {
+        const devices::Input input = devices::openInput(file);
+        const devices::Frame depth = nextFrame(*input.depth), color = nextFrame(*input.color);
+        ASSERT_FALSE(depth.empty() || color.empty()) << file;
+        EXPECT_TRUE(expectedPictures().find(depth)) << file;
+    }
+    call.arguments = {"record", "--input", raw, "--output", folder / "m.mkv", "--record-raw", raw};
+    EXPECT_EQ(runProgram(call).exitCode, 2) << "it would be written over";
+}
+
 } // namespace
 } // namespace autostereo::test

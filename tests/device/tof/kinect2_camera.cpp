@@ -14,6 +14,8 @@ using usbip::Time;
 constexpr std::size_t kIntervalBytes = 33792;
 /// The first sub-image's footer lies in the last of its packets.
 constexpr std::size_t kFooterAt = devices::kinect2::kSubImageBytes % kIntervalBytes;
+constexpr std::size_t kPacketsOfSubImage = 10; // eight full ones, a short one, an empty one
+constexpr auto kInterval = std::chrono::microseconds(125);
 constexpr std::size_t kStampAt = kFooterAt + 8, kSequenceAt = kFooterAt + 12;
 
 usbip::Bytes octets(std::span<const std::byte> bytes) {
@@ -185,7 +187,6 @@ Answer Kinect2Camera::readColor(std::size_t capacity, Time now) {
 }
 
 usbip::Bytes Kinect2Camera::readInterval(std::uint8_t, std::size_t, Time interval) {
-    constexpr auto kInterval = std::chrono::microseconds(125);
     if (!streaming_.load() || interval < since_) return {};
     const auto elapsed = interval - since_;
     const std::int64_t number = elapsed / period();
@@ -199,6 +200,19 @@ usbip::Bytes Kinect2Camera::readInterval(std::uint8_t, std::size_t, Time interva
         setWord(packet, kSequenceAt, static_cast<std::uint32_t>(number));
     }
     return packet;
+}
+
+Time Kinect2Camera::resumeAt(std::uint8_t endpoint, Time ended, Time now) {
+    if (endpoint != kDepth || !streaming_.load() || ended < since_) return now;
+    ++underruns_;
+    const auto slot = static_cast<std::size_t>((ended - since_) % period() / kInterval);
+    const std::size_t sent = slot % kPacketsOfSubImage;
+    if (!treacherous_.load() || sent == 0 || slot >= depth_.front().size()) return now;
+    // In the middle of an interval, so that rounding does not matter.
+    const auto at = kInterval * static_cast<int>(sent) + kInterval / 2;
+    const std::int64_t frame =
+        std::max((now - since_ - at) / period(), (ended - since_) / period());
+    return since_ + (frame + 1) * period() + at;
 }
 
 void Kinect2Camera::noteSlot(std::int64_t number, std::size_t slot, std::size_t slots) {

@@ -36,12 +36,17 @@ class Kinect2Camera final : public usbip::Device {
     void powerUp();
     /// Commands that are answered with "not ready" from now on.
     void sleepFor(int statusRequests) { sleep_.store(statusRequests); }
+    /// After an underrun in a sub-image: go on where the first one of a frame lacks what came, so
+    /// that a reader who joins both has one of the right length.
+    void setTreacherous(bool on) { treacherous_.store(on); }
     /// Damages what it says: gets every reply, data and completion alike.
     void setReplyFault(std::function<void(usbip::Bytes&)> fault);
 
     [[nodiscard]] unsigned depthFramesSent() const { return depthFrames_.load(); }
     /// Of these, in which the host let intervals pass.
     [[nodiscard]] unsigned depthFramesCut() const { return depthCut_.load(); }
+    /// How often the host was too late with transfers for the phases.
+    [[nodiscard]] unsigned underruns() const { return underruns_.load(); }
     [[nodiscard]] unsigned colorFramesSent() const { return colorFrames_.load(); }
     [[nodiscard]] bool streaming() const { return streaming_.load(); }
     [[nodiscard]] const Kinect2Show& show() const { return show_; }
@@ -55,6 +60,8 @@ class Kinect2Camera final : public usbip::Device {
                                       usbip::Time now) override;
     [[nodiscard]] usbip::Bytes readInterval(std::uint8_t endpoint, std::size_t capacity,
                                             usbip::Time interval) override;
+    [[nodiscard]] usbip::Time resumeAt(std::uint8_t endpoint, usbip::Time ended,
+                                       usbip::Time now) override;
 
   private:
     using Packets = std::vector<usbip::Bytes>;
@@ -90,9 +97,9 @@ class Kinect2Camera final : public usbip::Device {
     std::int64_t depthNumber_ = -1;
     std::size_t depthSlot_ = 0; ///< of the frame, the next one
     bool depthIsCut_ = false;
-    std::atomic<bool> streaming_{false};
+    std::atomic<bool> streaming_{false}, treacherous_{false};
     std::atomic<int> sleep_{0};
-    std::atomic<unsigned> depthFrames_{0}, depthCut_{0}, colorFrames_{0};
+    std::atomic<unsigned> depthFrames_{0}, depthCut_{0}, colorFrames_{0}, underruns_{0};
 };
 
 } // namespace autostereo::test

@@ -83,6 +83,12 @@ class Device {
         return Answer::stall();
     }
 
+    /// The host let an isochronous endpoint go without a transfer since `ended`. From when it is
+    /// listened to again, now or later, as host controllers please.
+    [[nodiscard]] virtual Time resumeAt(std::uint8_t /*endpoint*/, Time /*ended*/, Time now) {
+        return now;
+    }
+
     /// Isochronous IN: what the interval that starts at `interval` carries.
     [[nodiscard]] virtual Bytes readInterval(std::uint8_t /*endpoint*/, std::size_t /*capacity*/,
                                              Time /*interval*/) {

@@ -19,7 +19,9 @@ std::chrono::microseconds Pipe::interval() const {
 }
 
 void Pipe::push(Submit submit) {
-    if (waiting_.empty()) interval_ = std::max(interval_, std::chrono::steady_clock::now());
+    const Time now = std::chrono::steady_clock::now();
+    if (isochronous() && waiting_.empty() && interval_ < now)
+        interval_ = std::max(now, device_.resumeAt(endpoint_.address, interval_, now));
     waiting_.push_back(std::move(submit));
 }
 
@@ -100,6 +102,7 @@ bool Pipe::serveIsochronous(Wire& wire) {
     bool missed = interval_ < earliest;
     interval_ = std::max(interval_, earliest);
     Bytes data;
+    data.reserve(submit.length);
     for (IsoPacket& packet : submit.packets) {
         const auto next = throughFaults([&] {
             return Packet{device_.readInterval(endpoint_.address, packet.length, interval_),

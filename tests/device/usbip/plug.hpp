@@ -39,6 +39,8 @@ class Plug {
   private:
     void run(const std::stop_token& stop);
     [[nodiscard]] bool serve();
+    [[nodiscard]] bool hostSpeaks(std::chrono::nanoseconds patience) const;
+    [[nodiscard]] bool receive();
     [[nodiscard]] bool handle(Submit submit);
     [[nodiscard]] bool handle(Unlink unlink);
     [[nodiscard]] bool control(const Submit& submit);

@@ -1,13 +1,16 @@
 #include "tests/device/usbip/wire.hpp"
 
+#include <algorithm>
 #include <cerrno>
+
 #include <sys/socket.h>
+#include <sys/uio.h>
 
 namespace autostereo::test::usbip {
 
 namespace {
 
-enum Command : std::uint32_t { kSubmit = 1, kUnlink = 2, kSubmitted = 3, kUnlinked = 4 };
+constexpr std::uint32_t kSubmit = 1, kUnlink = 2, kSubmitted = 3, kUnlinked = 4; // commands
 
 constexpr std::size_t kHeaderBytes = 48, kPacketBytes = 16, kSetupAt = 40;
 constexpr std::uint32_t kMostPackets = 1024, kMostBytes = 64U << 20U;
@@ -29,10 +32,10 @@ std::uint16_t little16At(const Bytes& bytes, std::size_t at) {
 }
 
 /// Command and sequence number, then fields that replies leave zero.
-Bytes replyHeader(Command command, std::uint32_t sequence, Status status) {
+Bytes replyHeader(std::uint32_t command, std::uint32_t sequence, Status status) {
     Bytes bytes;
     for (const std::uint32_t field :
-         {std::uint32_t{command}, sequence, 0U, 0U, 0U, static_cast<std::uint32_t>(status)})
+         {command, sequence, 0U, 0U, 0U, static_cast<std::uint32_t>(status)})
         putBig(bytes, field);
     return bytes;
 }
@@ -56,13 +59,25 @@ bool Wire::get(void* bytes, std::size_t count) {
     return true;
 }
 
-bool Wire::put(const Bytes& bytes) {
-    std::span<const std::uint8_t> rest = bytes;
-    while (!rest.empty()) {
-        const ssize_t sent = send(socket_.get(), rest.data(), rest.size(), MSG_NOSIGNAL);
+bool Wire::put(std::array<std::span<const std::uint8_t>, 3> parts) {
+    std::size_t left = parts[0].size() + parts[1].size() + parts[2].size();
+    while (left > 0) {
+        std::array<iovec, 3> list{};
+        for (std::size_t i = 0; i < parts.size(); ++i) // the kernel only reads
+            list[i] = {const_cast<std::uint8_t*>(parts[i].data()), parts[i].size()};
+        msghdr message{};
+        message.msg_iov = list.data();
+        message.msg_iovlen = list.size();
+        const ssize_t sent = sendmsg(socket_.get(), &message, MSG_NOSIGNAL);
         if (sent < 0 && errno == EINTR) continue;
         if (sent <= 0) return false;
-        rest = rest.subspan(static_cast<std::size_t>(sent));
+        left -= static_cast<std::size_t>(sent);
+        auto passed = static_cast<std::size_t>(sent);
+        for (auto& part : parts) {
+            const std::size_t count = std::min(passed, part.size());
+            part = part.subspan(count);
+            passed -= count;
+        }
     }
     return true;
 }
@@ -107,19 +122,20 @@ bool Wire::reply(const Submit& submit, Status status, std::span<const std::uint8
     for (const std::uint32_t field :
          {taken, 0U, static_cast<std::uint32_t>(submit.packets.size()), lost, 0U, 0U})
         putBig(bytes, field);
-    if (in) bytes.insert(bytes.end(), data.begin(), data.end()); // OUT replies carry a count alone
+    Bytes table;
     for (const IsoPacket& packet : submit.packets)
         for (const std::uint32_t field : {packet.offset, packet.length, packet.actual,
                                           static_cast<std::uint32_t>(packet.status)})
-            putBig(bytes, field);
-    return put(bytes);
+            putBig(table, field);
+    if (!in) data = {}; // replies carry a count alone
+    return put({bytes, data, table});
 }
 
 bool Wire::unlinked(const Unlink& unlink, bool found) {
     constexpr auto kReset = static_cast<Status>(-104); // ECONNRESET: it had not ended yet
     Bytes bytes = replyHeader(kUnlinked, unlink.sequence, found ? kReset : Status::Good);
     bytes.resize(kHeaderBytes);
-    return put(bytes);
+    return put({bytes});
 }
 
 } // namespace autostereo::test::usbip

@@ -3,6 +3,7 @@
 #include "devices/unique_fd.hpp"
 #include "tests/device/usbip/device.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -64,7 +65,8 @@ class Wire {
 
   private:
     [[nodiscard]] bool get(void* bytes, std::size_t count);
-    [[nodiscard]] bool put(const Bytes& bytes);
+    /// Header, data, table; in one go, as each goes through the kernel.
+    [[nodiscard]] bool put(std::array<std::span<const std::uint8_t>, 3> parts);
 
     devices::UniqueFd socket_;
 };
