@@ -32,8 +32,8 @@ class NewestPair {
   private:
     void settle(std::optional<RgbdFrame>& newest, std::optional<TimePoint> now = {});
 
-    FrameSync sync_;
     Queue depth_, color_;
+    FrameSync sync_;
     std::uint64_t dropped_ = 0;
 };
 

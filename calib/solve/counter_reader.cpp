@@ -33,7 +33,8 @@ class PanelInPicture {
 
   private:
     [[nodiscard]] const glm::dvec2& corner(int column, int row) const {
-        return corners_[static_cast<std::size_t>(row * CounterChart::kCornerColumns + column)];
+        return corners_[static_cast<std::size_t>(row) * CounterChart::kCornerColumns +
+                        static_cast<std::size_t>(column)];
     }
     std::vector<glm::dvec2> corners_;
 };

@@ -31,11 +31,11 @@ class CounterWatch {
     void run(const std::stop_token& stop);
     void look(const devices::Frame& frame);
 
+    devices::FrameQueue<devices::Frame> queue_;
+    devices::Doorbell bell_;
     mutable std::mutex mutex_; ///< of the two below
     std::optional<calibrate::CounterReader> reader_;
     Result result_;
-    devices::FrameQueue<devices::Frame> queue_;
-    devices::Doorbell bell_;
     devices::SourceThread source_;
     std::jthread thread_; // last: it uses all of the above
 };

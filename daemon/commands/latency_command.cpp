@@ -38,7 +38,7 @@ class ChartPanel {
     devices::TimePoint show(const calib::Picture& picture) {
         drawStretched(panel_, picture);
         std::optional<calib::Picture> seen;
-        if (watcher_ != nullptr) seen = picture_();
+        if (watcher_ != nullptr) seen = shownPicture();
         panel_.present();
         panel_.pollEvents();
         return seen ? watcher_->shown(*seen) : clock_.now();
@@ -46,7 +46,7 @@ class ChartPanel {
     [[nodiscard]] bool closed() const { return panel_.closed(); }
 
   private:
-    [[nodiscard]] calib::Picture picture_() const {
+    [[nodiscard]] calib::Picture shownPicture() const {
         const gpu::RgbImage rgb =
             gpu::readFramebuffer(panel_.framebuffer(), panel_.width(), panel_.height());
         calib::Picture picture{rgb.width, rgb.height, {}};

@@ -199,6 +199,7 @@ TEST_F(Control, LinesThatAreTooLongAreRefusedAndTheConnectionEnds) {
 // 100 at once, of which half say nothing, and one that takes no answer: pictures go on.
 TEST_F(Control, ManyClientsAndSlowOnesHoldUpNobody) {
     std::vector<devices::UniqueFd> silent;
+    silent.reserve(50);
     for (int i = 0; i < 50; ++i)
         silent.push_back(connection());
     const devices::UniqueFd deaf = connection();
@@ -208,6 +209,7 @@ TEST_F(Control, ManyClientsAndSlowOnesHoldUpNobody) {
     std::atomic<int> answered{0};
     {
         std::vector<std::jthread> clients;
+        clients.reserve(50);
         for (int i = 0; i < 50; ++i)
             clients.emplace_back([&] {
                 try {

@@ -113,6 +113,7 @@ double ms(Duration duration) { return std::chrono::duration<double, std::milli>(
 /// Milliseconds from mid-exposure to the swap, or until the pair was taken to be rendered.
 double percentile99(const std::vector<Picked>& picked, TimePoint Picked::*until) {
     std::vector<double> ages;
+    ages.reserve(picked.size());
     for (const Picked& one : picked)
         ages.push_back(ms(one.*until - one.depthAt));
     const auto at = ages.begin() + static_cast<std::ptrdiff_t>(ages.size() * 99 / 100);
