@@ -3,6 +3,7 @@
 #include "tests/device/uvc/uvc_descriptors.hpp"
 
 #include <algorithm>
+#include <random>
 #include <utility>
 
 namespace autostereo::test {
@@ -62,7 +63,16 @@ long UvcCamera::control(unsigned which) const {
     return settings_.at(which).now;
 }
 
-usbip::Descriptors UvcCamera::descriptors() const { return uvcDescriptors(params_); }
+usbip::Descriptors UvcCamera::descriptors() const {
+    constexpr unsigned kMostBits = 2;
+    usbip::Descriptors said = uvcDescriptors(params_);
+    if (faults_.damagedDescriptors == 0) return said;
+    std::mt19937 random(faults_.damagedDescriptors);
+    Bytes& bytes = said.configuration;
+    for (unsigned bits = 1 + random() % kMostBits; bits > 0; --bits)
+        bytes[random() % bytes.size()] ^= static_cast<std::uint8_t>(1U << random() % 8);
+    return said;
+}
 
 std::optional<Bytes> UvcCamera::control(const Setup& setup, std::span<const std::uint8_t> data) {
     const unsigned interface = setup.index & 0xffU;

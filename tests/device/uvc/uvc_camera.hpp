@@ -36,6 +36,9 @@ struct UvcFaults {
     unsigned silentAfter = 0; ///< sends nothing more until it is plugged in again
     bool refuses = false;     ///< stalls what it is asked to commit to
     bool absurdSizes = false; ///< promises frames of 4 GiB
+    /// Bits turned over in what it says about itself when it is plugged in, all by this seed; 0:
+    /// none.
+    unsigned damagedDescriptors = 0;
 };
 
 /// A USB video class 1.1 camera (high speed) on `usbip`, which the kernel's uvcvideo binds. Frames
