@@ -16,14 +16,14 @@ using usbip::put, usbip::put32;
 using usbip::Setup;
 
 enum UvcRequest : std::uint8_t {
-    kSet = 0x01,
-    kGetNow = 0x81,
-    kGetLeast = 0x82,
-    kGetMost = 0x83,
-    kGetStep = 0x84,
-    kGetLength = 0x85,
-    kGetInfo = 0x86,
-    kGetStandard = 0x87,
+    SetNow = 0x01,
+    GetNow = 0x81,
+    GetLeast = 0x82,
+    GetMost = 0x83,
+    GetStep = 0x84,
+    GetLength = 0x85,
+    GetInfo = 0x86,
+    GetStandard = 0x87,
 };
 
 constexpr unsigned kAgreementBytes = 34;
@@ -85,16 +85,16 @@ std::optional<Bytes> UvcCamera::streaming(const Setup& setup, std::span<const st
     if (selector != kProbe && selector != kCommit) return std::nullopt;
     Agreement& agreement = selector == kProbe ? probe_ : commit_;
     switch (setup.request) {
-    case kSet: {
+    case SetNow: {
         const std::lock_guard lock(mutex_);
         if (faults_.refuses && selector == kCommit) return std::nullopt;
         agree(agreement, data);
         if (selector == kCommit) startStream();
         return Bytes{};
     }
-    case kGetLength:
+    case GetLength:
         return Bytes{kAgreementBytes, 0};
-    case kGetInfo:
+    case GetInfo:
         return Bytes{kGetAndSet};
     default:
         return agreementBytes(agreement);
@@ -139,23 +139,23 @@ std::optional<Bytes> UvcCamera::setting(const Setup& setup, std::span<const std:
     Control& control = found->second;
     long value = control.now;
     switch (setup.request) {
-    case kSet:
+    case SetNow:
         control.now = littleEndian(data);
         return Bytes{};
-    case kGetLength:
+    case GetLength:
         return Bytes{static_cast<std::uint8_t>(control.bytes), 0};
-    case kGetInfo:
+    case GetInfo:
         return Bytes{kGetAndSet};
-    case kGetLeast:
+    case GetLeast:
         value = control.least;
         break;
-    case kGetMost:
+    case GetMost:
         value = control.most;
         break;
-    case kGetStep: // of the exposure mode: a mask of those that there are
+    case GetStep: // of the exposure mode: a mask of those that there are
         value = found->first == terminal(2) ? 0x09 : 1;
         break;
-    case kGetStandard:
+    case GetStandard:
         value = control.standard;
         break;
     default:
