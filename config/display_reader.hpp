@@ -40,7 +40,7 @@ struct DisplayReader {
     std::string origin(std::string_view key);
 };
 
-/// [phase_grid], of any lens or barrier whose phase is affine; absent: empty.
+/// [phase_grid], of any lens or barrier whose phase is affine (for each eye); absent: empty.
 [[nodiscard]] calib::PhaseGrid readPhaseGrid(DisplayReader& display);
 
 // One reader per family of display laws, in read_*_laws.cpp.

@@ -178,8 +178,7 @@ struct CalibrateTimingOptions : BoardOptions {};
 struct LatencyOptions {
     std::optional<std::filesystem::path> config;
     std::optional<std::string> display;
-    std::string camera =
-        "sim"; ///< input with a live colour camera; "sim...": sees the panel made up
+    std::string camera = "sim"; ///< input with a live colour camera; "sim...": a made-up one
     double seconds = 10;
     bool json = false;
 };
@@ -204,7 +203,7 @@ using CommandLine =
                  CalibrateTimingOptions, CalibrateDisplayOptions, LatencyOptions, ControlOptions,
                  Information>;
 
-/// Throws UsageError. Commands and options of later versions are known and say so.
+/// Throws UsageError.
 [[nodiscard]] CommandLine parseCommandLine(int argc, const char* const* argv);
 
 } // namespace autostereo::daemon
