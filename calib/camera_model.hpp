@@ -16,6 +16,8 @@ struct Intrinsics {
     int height = 0;
     double fx = 0, fy = 0;
     double cx = 0, cy = 0;
+
+    [[nodiscard]] bool operator==(const Intrinsics&) const = default;
 };
 
 /// Brown–Conrady distortion in the rational 8-parameter form, OpenCV's names. All zero: none.
@@ -23,6 +25,8 @@ struct Intrinsics {
 struct Distortion {
     double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0, k4 = 0, k5 = 0, k6 = 0;
     double metricRadius = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool operator==(const Distortion&) const = default;
 };
 
 /// One camera, both directions, in double precision. x right, y down, z forward.
@@ -32,6 +36,7 @@ struct CameraModel {
     Intrinsics intrinsics;
     Distortion distortion;
 
+    [[nodiscard]] bool operator==(const CameraModel&) const = default;
     /// Pixel in which a point (metres, camera frame) is seen.
     [[nodiscard]] std::optional<glm::dvec2> project(const glm::dvec3& point) const;
     /// Direction (x/z, y/z) that a pixel sees; Newton's method, at most 20 steps.

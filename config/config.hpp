@@ -1,7 +1,6 @@
 #pragma once
 
 #include "calib/display_profile.hpp"
-#include "calib/picture.hpp"
 #include "calib/sensor_rig.hpp"
 #include "config/listen_address.hpp"
 #include "config/opening_hours.hpp"
@@ -43,7 +42,7 @@ struct HttpParams {
 /// What is shown when the sensors give nothing.
 struct IdleParams {
     devices::Duration freeze = std::chrono::seconds(1); ///< so long the last picture stays
-    calib::Picture picture;                             ///< none: a plain one
+    std::string content; ///< file for where there is nothing to say; empty: a plain picture
     std::string startingText = "One moment, please";
     std::string noInputText = "No camera found";
     std::string depthLostText = "The depth camera does not answer";
@@ -58,6 +57,7 @@ struct RestParams {
     double presenceM = 0;           ///< somebody is there who is nearer; 0: nobody is looked for
     double presenceShare = 0.005;   ///< of the depth picture that has to be
     devices::Duration leave = std::chrono::seconds(60); ///< after the last one went
+    std::optional<devices::Duration> monitorOff;        ///< after rest began; none: it stays on
 };
 
 /// Everything a configuration file can say: all rooms' params together.

@@ -11,6 +11,11 @@ function(embed_files target namespace folder)
             "-DFILES=${ARGN}" -P ${CMAKE_CURRENT_FUNCTION_LIST_FILE}
     DEPENDS ${paths} ${CMAKE_CURRENT_FUNCTION_LIST_FILE})
   target_sources(${target} PRIVATE ${output}.cpp ${output}.hpp)
+  if(NOT TARGET embedded_files) # all of them: enough for tools that only read sources
+    add_custom_target(embedded_files)
+  endif()
+  add_custom_target(${target}_embedded_files DEPENDS ${output}.hpp)
+  add_dependencies(embedded_files ${target}_embedded_files)
   target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR})
 endfunction()
 

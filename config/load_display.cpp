@@ -200,9 +200,9 @@ calib::DisplayProfile readDisplay(const std::string& file, std::string_view text
 }
 
 /// A vendor's calibration is read as the display file that it would be imported as.
-calib::DisplayProfile readCalibration(const std::string& file, std::string_view json) {
-    const Vendor vendor = vendorOf(json).value_or(Vendor::LookingGlass);
-    return readDisplay(file, importDisplay(vendor, file, json).toml);
+calib::DisplayProfile readCalibration(const std::string& file, std::string_view text) {
+    const Vendor vendor = vendorOf(text).value_or(Vendor::LookingGlass);
+    return readDisplay(file, importDisplay(vendor, file, text).toml);
 }
 
 calib::DisplayProfile shippedDisplay(const std::string& name) {

@@ -1,9 +1,7 @@
 #include "config/read_service.hpp"
 
-#include "config/read_picture.hpp"
 #include "config/units.hpp"
-
-#include <stdexcept>
+#include "devices/content_kind.hpp"
 
 namespace autostereo::config {
 
@@ -14,13 +12,12 @@ void readIdle(TomlReader& root, const std::filesystem::path& folder, IdleParams&
     // The watchdog hears nothing while a picture is frozen: less than half of what it allows.
     const std::chrono::duration<double> freeze = idle.freeze;
     idle.freeze = units::durationFromMs(1e3 * table.number("freeze_s", {0, 4}, freeze.count()));
-    const std::string name = table.text("picture", "");
-    if (name.empty()) return;
-    try {
-        idle.picture = readPicture(folder / name);
-    } catch (const std::runtime_error& error) {
-        table.reject("picture", error.what());
-    }
+    const std::string content = table.text("content", "");
+    if (content.empty()) return;
+    if (!devices::contentKind(content))
+        table.reject("content", '"' + content + "\" is of no kind that can be shown (allowed " +
+                                    devices::kContentNames + ')');
+    idle.content = folder / content;
 }
 
 void readMessages(TomlReader& root, IdleParams& idle) {
@@ -60,6 +57,8 @@ void readRest(TomlReader& root, RestParams& rest) {
     const std::chrono::duration<double> leave = rest.leave;
     rest.leave =
         units::durationFromMs(1e3 * table.number("leave_s", {0, kLongestS}, leave.count()));
+    const double offS = table.number("monitor_off_s", {0, kLongestS}, 0);
+    if (offS > 0) rest.monitorOff = units::durationFromMs(1e3 * offS);
 }
 
 void readHttp(TomlReader& root, const std::filesystem::path& folder, HttpParams& http) {

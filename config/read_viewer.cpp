@@ -1,6 +1,8 @@
 #include "config/read_viewer.hpp"
 
 #include "config/durations.hpp"
+#include "config/load.hpp"
+#include "config/rig_file.hpp"
 #include "config/units.hpp"
 
 #include <string_view>
@@ -36,6 +38,25 @@ void readPose(TomlReader& table, devices::TrackerPose& pose) {
     pose.angleScale = vector(table, "angle_scale", kScale, pose.angleScale);
 }
 
+/// A rig file of both cameras, or of a colour camera alone.
+calib::CameraModel colorCamera(TomlReader& table, const std::filesystem::path& file) {
+    if (file.extension() == ".json") return loadRig(file).color;
+    const RigFile rig = readRigFile(file);
+    if (!rig.color) table.reject("camera_rig", "has no colour camera: " + file.string());
+    return *rig.color;
+}
+
+void readCamera(TomlReader& table, const std::filesystem::path& folder,
+                devices::ViewerParams& viewer) {
+    constexpr double kWidest = 170;
+    viewer.fieldOfViewRad = units::radiansFromDeg(
+        table.number("camera_fov_deg", {0, kWidest}, units::degFromRadians(viewer.fieldOfViewRad)));
+    if (!table.has("camera_rig")) return;
+    const std::string file = table.text("camera_rig", "");
+    viewer.camera = std::nullopt;
+    if (!file.empty()) viewer.camera = colorCamera(table, folder / file);
+}
+
 } // namespace
 
 void readViewer(TomlReader& root, const std::filesystem::path& folder,
@@ -59,6 +80,7 @@ void readViewer(TomlReader& root, const std::filesystem::path& folder,
         table.number("velocity_cutoff_hz", {0.1, 100}, smoothing.velocityCutoffHz);
     smoothing.restSpeed = table.number("rest_speed", {0, 10}, smoothing.restSpeed);
     readPose(table, viewer.pose);
+    readCamera(table, folder, viewer);
 }
 
 } // namespace autostereo::config

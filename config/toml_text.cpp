@@ -13,7 +13,7 @@ std::string digits(double value) {
     return {buffer.data(), end};
 }
 
-std::string quoted(std::string_view text) {
+std::string tomlString(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
@@ -39,7 +39,7 @@ void TomlText::line(std::string_view key, std::string_view value) {
     text_.append(key).append(" = ").append(value) += '\n';
 }
 
-void TomlText::text(std::string_view key, std::string_view value) { line(key, quoted(value)); }
+void TomlText::text(std::string_view key, std::string_view value) { line(key, tomlString(value)); }
 
 void TomlText::number(std::string_view key, double value) { line(key, digits(value)); }
 
@@ -57,7 +57,7 @@ void TomlText::numbers(std::string_view key, const std::vector<double>& values) 
 void TomlText::words(std::string_view key, const std::vector<std::string>& values) {
     std::string list;
     for (const std::string& value : values)
-        list += "\n    " + quoted(value) + ',';
+        list += "\n    " + tomlString(value) + ',';
     line(key, '[' + list + (list.empty() ? "]" : "\n]"));
 }
 
@@ -74,7 +74,7 @@ void TomlText::rows(std::string_view key, const std::vector<std::vector<double>>
 
 void TomlText::texts(const std::map<std::string, std::string>& values) {
     for (const auto& [key, value] : values)
-        text(quoted(key), value);
+        text(tomlString(key), value);
 }
 
 } // namespace autostereo::config

@@ -10,11 +10,12 @@ export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 # Everything CMakeLists.txt asks for, and the software renderer for machines without a GPU.
 build_packages=(
     g++ cmake ninja-build ccache pkg-config
-    libegl-dev libopengl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri libglfw3-dev
+    libegl-dev libopengl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri libglfw3-dev libxcb-dpms0-dev
     libglm-dev libspdlog-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
     libpng-dev libturbojpeg0-dev libmatroska-dev libebml-dev libsystemd-dev
     libdrm-dev libusb-1.0-0-dev libopenni2-dev libcpp-httplib-dev libssl-dev
     libopencv-core-dev libopencv-imgproc-dev libopencv-calib3d-dev libopencv-contrib-dev
+    libopencv-objdetect-dev opencv-data
 )
 # What tests/ needs beyond that. OpenCV is a second opinion, too.
 test_packages=(
@@ -23,7 +24,7 @@ test_packages=(
     ffmpeg mkvtoolnix
     xvfb xauth xdotool x11-utils x11-apps x11-xserver-utils libxcb-xfixes0-dev
     libopencv-photo-dev chromium chromium-driver
-    linux-source make gcc flex bison bc xz-utils busybox
+    linux-source make gcc flex bison bc xz-utils busybox mmdebstrap dpkg-dev
 )
 
 say() { printf '== %s\n' "$*"; }

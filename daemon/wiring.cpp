@@ -192,6 +192,8 @@ std::optional<devices::Recorder::Counters> Recording::counters() const {
     return recorder_->counters();
 }
 
+std::string Recording::rawError() const { return raw_ ? raw_->counters().error : std::string(); }
+
 std::unique_ptr<devices::Feed> openFeed(devices::Input input, const config::Config& config,
                                         config::Speed speed, bool loop, devices::Clock& clock) {
     if (speed == config::Speed::Max && (input.depthIsLive || input.colorIsLive))

@@ -51,6 +51,8 @@ class Recording {
     void finish();
     /// Nothing where nothing is recorded.
     [[nodiscard]] std::optional<devices::Recorder::Counters> counters() const;
+    /// Why what is recorded below the decoder ended early; empty: it did not.
+    [[nodiscard]] std::string rawError() const;
 
     /// None: nothing is kept.
     [[nodiscard]] const devices::RecordingRing* ring() const { return ring_.get(); }

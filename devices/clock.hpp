@@ -9,7 +9,10 @@ namespace autostereo::devices {
 using TimePoint = std::chrono::time_point<std::chrono::steady_clock, std::chrono::nanoseconds>;
 using Duration = std::chrono::nanoseconds;
 
-/// The only way to ask for the time or to wait, so that tests never sleep. Thread-safe.
+/// For what deals with hardware, whose times no test can make up.
+[[nodiscard]] inline TimePoint steadyNow() noexcept { return std::chrono::steady_clock::now(); }
+
+/// The only other way to ask for the time or to wait, so that tests never sleep. Thread-safe.
 class Clock {
   public:
     virtual ~Clock() = default;

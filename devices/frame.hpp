@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -75,9 +76,11 @@ struct FrameMetadata {
     bool encodedMirrored = false; ///< that JPEG's columns run the other way than the pixels'
 };
 
-/// One picture from one sensor, holding a lease on a slot of its source's FramePool.
-/// Movable, not copyable; destruction gives the slot back, on any thread. It may outlive its source
-/// and the pool. Reentrant.
+struct SharedPixels;
+
+/// One picture from one sensor, holding a lease on a slot of its source's FramePool, or on a buffer
+/// that a driver filled, whose pixels can only be read. Movable, not copyable; destruction gives
+/// the slot back, on any thread. It may outlive its source and the pool. Reentrant.
 class Frame {
   public:
     /// Where a lease returns to; implemented by FramePool.
@@ -92,6 +95,10 @@ class Frame {
     Frame() = default;
     Frame(Owner& owner, std::size_t slot, std::span<std::byte> storage, FrameMetadata metadata)
         : owner_(&owner), slot_(slot), storage_(storage), metadata_(metadata) {}
+    /// In a driver's buffer, which goes back with the last holder of `shared`.
+    Frame(std::span<std::byte> storage, FrameMetadata metadata,
+          std::shared_ptr<const SharedPixels> shared)
+        : storage_(storage), metadata_(metadata), shared_(std::move(shared)) {}
     Frame(Frame&& other) noexcept { swap(other); }
     Frame& operator=(Frame&& other) noexcept {
         Frame(std::move(other)).swap(*this);
@@ -103,7 +110,7 @@ class Frame {
         if (owner_ != nullptr) owner_->release(slot_);
     }
 
-    [[nodiscard]] bool empty() const { return owner_ == nullptr; }
+    [[nodiscard]] bool empty() const { return owner_ == nullptr && !shared_; }
     [[nodiscard]] const FrameMetadata& metadata() const { return metadata_; }
     [[nodiscard]] FrameMetadata& metadata() { return metadata_; }
     [[nodiscard]] std::size_t pixelCount() const {
@@ -116,6 +123,10 @@ class Frame {
     [[nodiscard]] std::span<std::byte> pixels() { return storage_.first(byteCount()); }
     [[nodiscard]] std::span<const std::uint16_t> depth() const { return plane16(0); }
     [[nodiscard]] std::span<std::uint16_t> depth() { return plane16(0); }
+    /// How the GPU may come to the pixels without a copy (devices/pixel_sharing.hpp); none: not at
+    /// all.
+    [[nodiscard]] const std::shared_ptr<const SharedPixels>& shared() const { return shared_; }
+    void setShared(std::shared_ptr<const SharedPixels> shared) { shared_ = std::move(shared); }
     /// As the camera sent it, for recordings; empty where that is what `pixels` holds.
     [[nodiscard]] std::span<const std::byte> encoded() const {
         return storage_.subspan(byteCount(), metadata_.encodedBytes);
@@ -137,6 +148,7 @@ class Frame {
         std::swap(slot_, other.slot_);
         std::swap(storage_, other.storage_);
         std::swap(metadata_, other.metadata_);
+        std::swap(shared_, other.shared_);
     }
     [[nodiscard]] std::size_t byteCount() const {
         return frameBytes(metadata_.format, metadata_.width, metadata_.height);
@@ -151,6 +163,7 @@ class Frame {
     std::size_t slot_ = 0;
     std::span<std::byte> storage_;
     FrameMetadata metadata_;
+    std::shared_ptr<const SharedPixels> shared_;
 };
 
 /// One depth and one colour frame that belong together.

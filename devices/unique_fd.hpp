@@ -2,9 +2,15 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <string>
+#include <system_error>
 #include <utility>
 
 namespace autostereo::devices {
+
+/// What the last system call that failed says of it.
+[[nodiscard]] inline std::string errnoText() { return std::generic_category().message(errno); }
 
 /// Owns a file descriptor; -1: none. Movable, closes at destruction. Thread-bound.
 class UniqueFd {

@@ -61,20 +61,24 @@ ColorConverter::ByteGrid ColorConverter::byteGrid(const devices::FrameMetadata& 
     return {static_cast<int>(bytes / static_cast<std::size_t>(rows)), rows};
 }
 
-void ColorConverter::convert(const devices::FrameMetadata& frame, const gl::Texture& bytes,
-                             const gl::Texture& color) {
+void ColorConverter::convert(const devices::FrameMetadata& frame, GLuint bytes,
+                             const gl::Texture& color, const BlockMarks* marks) {
     uniforms_.bind(6, colorBlock(frame));
-    glBindTextureUnit(0, bytes.name());
-    glBindImageTexture(0, color.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
-    gl::dispatch(program(frame.format), color.width(), color.height());
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    glBindTextureUnit(0, bytes);
+    glBindImageTexture(0, color.name(), 0, GL_FALSE, 0,
+                       marks != nullptr ? GL_READ_WRITE : GL_WRITE_ONLY, GL_RGBA8);
+    if (marks != nullptr) marks->bind(1);
+    gl::dispatch(program(frame.format, marks != nullptr), color.width(), color.height());
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-const gl::Program& ColorConverter::program(PixelFormat format) {
-    const auto found = programs_.find(format);
+const gl::Program& ColorConverter::program(PixelFormat format, bool marks) {
+    const auto found = programs_.find({format, marks});
     if (found != programs_.end()) return found->second;
-    const std::vector<std::string> shaders{"color_converter.comp"}, defines{variantOf(format)};
-    return programs_.emplace(format, gl::Program(shaders, defines)).first->second;
+    const std::vector<std::string> shaders{"color_converter.comp"};
+    std::vector<std::string> defines{variantOf(format)};
+    if (marks) defines.emplace_back("MARKS");
+    return programs_.emplace(std::pair(format, marks), gl::Program(shaders, defines)).first->second;
 }
 
 } // namespace autostereo::gpu

@@ -2,10 +2,12 @@
 
 #include "devices/frame.hpp"
 #include "gpu/blocks.hpp"
+#include "gpu/dirty/block_marks.hpp"
 #include "gpu/gl/program.hpp"
 #include "gpu/gl/uniform_buffer.hpp"
 
 #include <map>
+#include <utility>
 
 namespace autostereo::gpu {
 
@@ -24,14 +26,15 @@ class ColorConverter {
     };
     [[nodiscard]] static ByteGrid byteGrid(const devices::FrameMetadata& frame);
 
-    /// `bytes`: as `byteGrid` says; `color` has the frame's size.
-    void convert(const devices::FrameMetadata& frame, const gl::Texture& bytes,
-                 const gl::Texture& color);
+    /// `bytes`: a texture as `byteGrid` says; `color` has the frame's size. `marks`, where given:
+    /// blocks where `color` becomes another than it was are marked.
+    void convert(const devices::FrameMetadata& frame, GLuint bytes, const gl::Texture& color,
+                 const BlockMarks* marks = nullptr);
 
   private:
-    const gl::Program& program(devices::PixelFormat format);
+    const gl::Program& program(devices::PixelFormat format, bool marks);
 
-    std::map<devices::PixelFormat, gl::Program> programs_;
+    std::map<std::pair<devices::PixelFormat, bool>, gl::Program> programs_;
     gl::UniformBuffer<ColorBlock> uniforms_;
 };
 

@@ -21,6 +21,8 @@ class ColorHold {
 
     /// Takes a frame in. True where any block was renewed; another size or format renews all.
     [[nodiscard]] bool update(const devices::Frame& frame);
+    /// The next frame renews all.
+    void forget() { kept_.clear(); }
     /// As the camera gave them.
     [[nodiscard]] std::span<const std::byte> bytes() const { return kept_; }
     /// A byte a block of the picture, row by row; not 0: renewed by the last frame.

@@ -50,15 +50,35 @@ void FrameUploader::upload(const devices::RgbdFrame& frame) {
     next_ = (next_ + kPlanes) % ring_.size();
 }
 
+void FrameUploader::fitColor(const devices::FrameMetadata& form) {
+    if (color_.isSized(form.width, form.height)) return;
+    colorMarks_.resize(form.width, form.height);
+    color_ = gl::Texture(GL_RGBA8, form.width, form.height);
+    color_.setFilter(GL_LINEAR);
+}
+
+bool FrameUploader::importColor(const devices::Frame& frame) {
+    const devices::FrameMetadata& form = frame.metadata();
+    const bool wanted = imports_ && ColorConverter::converts(form.format);
+    const GLuint bytes = import_.bytesOf(frame, wanted);
+    if (bytes == 0) return false;
+    const bool isFirst = !color_.isSized(form.width, form.height);
+    fitColor(form);
+    colorMarks_.clear();
+    converter_.convert(form, bytes, color_, &colorMarks_);
+    if (isFirst) colorMarks_.markAll(); // nothing was there before
+    import_.readBy(frame);
+    hold_.forget(); // it has not seen this one
+    colorChanged_ = true;
+    return true;
+}
+
 void FrameUploader::uploadColor(const devices::Frame& frame) {
+    if (importColor(frame)) return;
     const devices::FrameMetadata& form = frame.metadata();
     colorChanged_ = hold_.update(frame);
     if (!colorChanged_) return;
-    if (!color_.isSized(form.width, form.height)) {
-        colorMarks_.resize(form.width, form.height);
-        color_ = gl::Texture(GL_RGBA8, form.width, form.height);
-        color_.setFilter(GL_LINEAR);
-    }
+    fitColor(form);
     uploadMarks(form);
     Staging& staging = ring_[next_ + 1];
     if (!ColorConverter::converts(form.format)) {
@@ -69,7 +89,7 @@ void FrameUploader::uploadColor(const devices::Frame& frame) {
     const auto [columns, rows] = ColorConverter::byteGrid(form);
     if (!colorBytes_.isSized(columns, rows)) colorBytes_ = gl::Texture(GL_R8, columns, rows);
     staging.copy(hold_.bytes(), colorBytes_, GL_RED, GL_UNSIGNED_BYTE);
-    converter_.convert(form, colorBytes_, color_);
+    converter_.convert(form, colorBytes_.name(), color_);
 }
 
 void FrameUploader::uploadMarks(const devices::FrameMetadata& form) {

@@ -3,6 +3,7 @@
 #include "devices/frame.hpp"
 #include "gpu/color_converter.hpp"
 #include "gpu/color_hold.hpp"
+#include "gpu/color_import.hpp"
 #include "gpu/dirty/block_marks.hpp"
 #include "gpu/gl/objects.hpp"
 
@@ -12,11 +13,13 @@ namespace autostereo::gpu {
 
 /// Frames -> textures, through a ring of persistently mapped buffers, so that the copy to the GPU
 /// never waits for the frame before. depth, amplitude: R16UI counts; color: RGBA8, linear filter,
-/// converted on the GPU from whatever format it has.
+/// converted on the GPU from whatever format it has; where camera and driver can, and noise need
+/// not be held on the host, from where the camera's driver left it, without a copy.
 /// Textures follow the frames' size. Thread-bound.
 class FrameUploader {
   public:
-    explicit FrameUploader(const ColorHoldParams& color = {}) : hold_(color) {}
+    explicit FrameUploader(const ColorHoldParams& color = {})
+        : imports_(color.sigma == 0), hold_(color) {}
 
     void upload(const devices::RgbdFrame& frame);
     [[nodiscard]] const gl::Texture& depth() const { return depth_; }
@@ -29,9 +32,13 @@ class FrameUploader {
     [[nodiscard]] bool colorChanged() const { return colorChanged_; }
     [[nodiscard]] const BlockMarks& colorMarks() const { return colorMarks_; }
     [[nodiscard]] const ColorHold& hold() const { return hold_; }
+    /// How the newest colour frame came.
+    [[nodiscard]] devices::PixelWay colorWay() const { return import_.way(); }
 
   private:
     void uploadColor(const devices::Frame& frame);
+    [[nodiscard]] bool importColor(const devices::Frame& frame);
+    void fitColor(const devices::FrameMetadata& form);
     void uploadMarks(const devices::FrameMetadata& form);
 
     /// A mapped staging buffer and the fence behind its last copy.
@@ -62,6 +69,8 @@ class FrameUploader {
     gl::Texture amplitude_;
     gl::Texture color_;
     ColorConverter converter_;
+    bool imports_; ///< whether imported pictures are of use
+    ColorImport import_;
     ColorHold hold_;
     bool colorChanged_ = false;
     BlockMarks colorMarks_;

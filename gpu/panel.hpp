@@ -24,6 +24,9 @@ class Panel {
     /// Pressed since the last call, as far as `pollEvents` has seen; none without a keyboard.
     [[nodiscard]] virtual std::vector<KeyPress> takeKeys() { return {}; }
     [[nodiscard]] virtual bool closed() const = 0;
+    /// Power of the monitor; nothing where it cannot be turned off. Returns when it is done.
+    virtual void turnMonitor(bool /*on*/) {}
+    [[nodiscard]] virtual bool monitorIsOn() const { return true; }
     [[nodiscard]] virtual std::string description() const = 0;
 };
 

@@ -60,6 +60,8 @@ class Pipeline {
                                       : static_cast<double>(hold.blocksKept()) /
                                             static_cast<double>(hold.blocksSeen());
     }
+    /// How the newest colour picture came.
+    [[nodiscard]] devices::PixelWay colorWay() const { return uploader_.colorWay(); }
     [[nodiscard]] Method method() const { return params_.synthesis.method; }
     /// What Method::Auto chose when it saw the first frame; none with another method.
     [[nodiscard]] const std::optional<MethodChoice>& choice() const { return choice_; }

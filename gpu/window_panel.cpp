@@ -172,9 +172,18 @@ std::vector<KeyPress> WindowPanel::takeKeys() { return std::exchange(keys_, {});
 
 bool WindowPanel::closed() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 
+void WindowPanel::turnMonitor(bool on) {
+    if (!on && !power_.canTurnOff() && !saidCannot_) {
+        spdlog::warn("window: the monitor stays on: this display server has no DPMS");
+        saidCannot_ = true;
+    }
+    power_.turn(on);
+}
+
 std::optional<GammaRamp> WindowPanel::gammaRamp() const {
     const GLFWgammaramp* ramp = glfwGetGammaRamp(glfwGetWindowMonitor(window_));
     if (ramp == nullptr || ramp->size == 0) return std::nullopt;
+    if (ramp->green[ramp->size - 1] == 0) return std::nullopt; // Xwayland's: nobody has set one
     return GammaRamp{{ramp->red, ramp->red + ramp->size},
                      {ramp->green, ramp->green + ramp->size},
                      {ramp->blue, ramp->blue + ramp->size}};

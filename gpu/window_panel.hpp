@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/monitor_choice.hpp"
+#include "gpu/monitor_power.hpp"
 #include "gpu/panel.hpp"
 
 #include <chrono>
@@ -40,6 +41,8 @@ class WindowPanel final : public Panel {
     void pollEvents() override;
     [[nodiscard]] std::vector<KeyPress> takeKeys() override;
     [[nodiscard]] bool closed() const override;
+    void turnMonitor(bool on) override;
+    [[nodiscard]] bool monitorIsOn() const override { return power_.isOn(); }
     [[nodiscard]] std::string description() const override { return description_; }
 
     /// Nothing where the display server does not tell (Wayland, Xvfb).
@@ -55,6 +58,8 @@ class WindowPanel final : public Panel {
     int height_ = 0;
     std::string description_;
     std::vector<KeyPress> keys_;
+    MonitorPower power_;
+    bool saidCannot_ = false; ///< that it cannot be turned off
 };
 
 } // namespace autostereo::gpu

@@ -137,20 +137,20 @@ LeastSquaresFit settle(std::span<const TimedPlace> depth, const Curve& curve,
 /// places, whose residuals are therefore not independent.
 double late95(std::span<const TimedPlace> depth, const Curve& curve, const glm::dvec3& weights,
               const State& found) {
-    constexpr std::size_t kBlocks = 10;
+    constexpr std::size_t kTenths = 10;
     constexpr double kStudent95 = 2.262;
     double sum = 0, squares = 0;
-    for (std::size_t block = 0; block < kBlocks; ++block) {
+    for (std::size_t block = 0; block < kTenths; ++block) {
         std::vector<TimedPlace> others;
         for (std::size_t i = 0; i < depth.size(); ++i)
-            if (i * kBlocks / depth.size() != block) others.push_back(depth[i]);
+            if (i * kTenths / depth.size() != block) others.push_back(depth[i]);
         State state = found;
         if (!settle(others, curve, weights, state).inverse)
             return std::numeric_limits<double>::infinity(); // it hung on that tenth alone
         sum += state[0] - found[0];
         squares += (state[0] - found[0]) * (state[0] - found[0]);
     }
-    const double variance = (squares - sum * sum / kBlocks) * (kBlocks - 1) / kBlocks;
+    const double variance = (squares - sum * sum / kTenths) * (kTenths - 1) / kTenths;
     return kStudent95 * std::sqrt(variance);
 }
 

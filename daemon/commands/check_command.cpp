@@ -1,5 +1,7 @@
 #include "config/rig_file.hpp"
 #include "daemon/commands/commands.hpp"
+#include "daemon/log.hpp"
+#include "daemon/session/idle_content.hpp"
 #include "daemon/wiring.hpp"
 #include "devices/mesh/open_mesh.hpp"
 #include "devices/replay_feed.hpp"
@@ -25,11 +27,21 @@ std::string rigText(const std::filesystem::path& file) {
     return what;
 }
 
+/// A configuration is not good where it names content that cannot be shown.
+void inspectConfig(const std::filesystem::path& file) {
+    const config::Config config = config::loadConfig(file);
+    try {
+        static_cast<void>(openIdleContent(config));
+    } catch (const std::runtime_error& error) {
+        throw config::ConfigError(file.string() + ": idle.content: " + error.what());
+    }
+}
+
 /// What the file is, in a few words. Throws what its reader throws.
 std::string inspectText(const std::filesystem::path& file) {
     switch (config::kindOf(file)) {
     case config::FileKind::Config:
-        static_cast<void>(config::loadConfig(file));
+        inspectConfig(file);
         return "configuration";
     case config::FileKind::Display:
         return "display, " + config::loadDisplay(file.string()).model;
@@ -70,6 +82,7 @@ std::string inspectScene(const std::filesystem::path& file) {
 int check(const CheckOptions& options) {
     constexpr int kBad = 2;
     int code = EXIT_SUCCESS;
+    setUpLog("warn");
     for (const std::filesystem::path& file : options.files) {
         try {
             const std::string extension = file.extension().string();

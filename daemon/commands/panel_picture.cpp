@@ -1,7 +1,7 @@
 #include "daemon/commands/panel_picture.hpp"
 
 #include "calib/message_picture.hpp"
-#include "gpu/gl/objects.hpp"
+#include "gpu/picture_blit.hpp"
 
 namespace autostereo::daemon {
 
@@ -15,15 +15,8 @@ struct Rows {
 
 /// Stretched over these rows of the panel.
 void blit(const calib::Picture& picture, gpu::Panel& panel, Rows rows) {
-    const int width = picture.width, height = picture.height;
-    const gpu::gl::Texture texture(GL_RGBA8, width, height);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE,
-                        picture.pixels.data());
-    // The picture's top row lies first in the texture, GL's rows go up.
-    glBlitNamedFramebuffer(gpu::gl::makeFramebuffer(texture).name(), panel.framebuffer(), 0, 0,
-                           width, height, 0, rows.top, panel.width(), rows.bottom,
-                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gpu::blitPicture({picture.width, picture.height, GL_RGBA, picture.pixels}, panel.framebuffer(),
+                     {rows.bottom, rows.top, panel.width()});
 }
 
 } // namespace

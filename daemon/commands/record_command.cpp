@@ -29,6 +29,8 @@ int record(const RecordOptions& options) {
     if (!counters->error.empty()) throw devices::RecordingError(counters->error);
     if (counters->written == 0)
         throw devices::DeviceError("record: " + config.input + " gave no picture");
+    if (const std::string error = recording.rawError(); !error.empty())
+        throw devices::RecordingError(error); // the other one is complete
     return EXIT_SUCCESS;
 }
 

@@ -31,7 +31,7 @@ int renderScene(const RenderOptions& options, Picture as, const config::Config& 
                 const calib::DisplayProfile& display) {
     const gpu::SceneParams look = sceneParams(config);
     checkScene(options, as, look);
-    const devices::mesh::MeshScene scene = openMeshScene(config);
+    const devices::mesh::MeshScene scene = openMeshScene(config.input);
     const PanelSize size = offscreenSize(display);
     gpu::OffscreenPanel panel(size.width, size.height, false);
     gpu::ScenePipeline pipeline(scene, look, config.pipeline, display, size.width, size.height);

@@ -2,6 +2,7 @@
 
 #include "daemon/command_words.hpp"
 #include "gpu/interleaver.hpp"
+#include "gpu/picture_blit.hpp"
 #include "gpu/quilt_atlas.hpp"
 
 namespace autostereo::daemon {
@@ -62,14 +63,8 @@ void drawPicture(CalibrationPicture picture, const calib::DisplayProfile& displa
     if (!rgb)
         throw UsageError("--display: " + display.name + " has no optics that are known (type " +
                          display.type + "): nothing to measure");
-    const int width = display.width, height = display.height;
-    const gpu::gl::Texture texture(GL_RGBA8, width, height);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE,
-                        rgb->data());
-    // The picture's top row lies first in the texture, GL's rows go up.
-    glBlitNamedFramebuffer(gpu::gl::makeFramebuffer(texture).name(), framebuffer, 0, 0, width,
-                           height, 0, height, width, 0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gpu::blitPicture({display.width, display.height, GL_RGB, *rgb}, framebuffer,
+                     {0, display.height, display.width});
 }
 
 } // namespace

@@ -85,6 +85,7 @@ Json toJson(const Report& report) {
         {"picture_kept_share", numberOrNull(report.keptPicture)},
         {"fusion_kept_share", numberOrNull(report.keptFusion)},
         {"color_kept_share", report.keptColor},
+        {"color_way", report.colorWay},
         {"stages", stages},
         {"gpu", {{"memory_mib", report.gpuMemoryMib}, {"objects", report.gpuObjects}}},
         {"latency_ms", report.latencyMs.at(0.5) ? percentilesJson(report.latencyMs, "p50", "p99")

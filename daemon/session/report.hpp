@@ -50,6 +50,7 @@ struct Report {
     std::optional<double> keptPicture; ///< of the panel, not drawn anew
     std::optional<double> keptFusion;  ///< of the cyclopean picture, not fused anew
     double keptColor = 0;              ///< of the colour camera's picture, taken for noise
+    std::string colorWay = "copied";   ///< how the newest colour picture came to the GPU
     double gpuMemoryMib = 0;           ///< textures and buffers of all stages
     std::int64_t gpuObjects = 0;       ///< textures, buffers, programs, queries, ...
     Percentiles latencyMs;             ///< mid-exposure to present; empty at --speed max

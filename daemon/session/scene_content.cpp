@@ -12,12 +12,16 @@ bool isScene(const config::Config& config) {
     return uri.scheme.empty() && devices::mesh::isMeshFile(uri.path);
 }
 
-devices::mesh::MeshScene openMeshScene(const config::Config& config) {
-    devices::mesh::MeshScene scene = devices::mesh::openMesh(devices::parseUri(config.input).path);
+devices::mesh::MeshScene openMeshScene(const std::string& file) {
+    devices::mesh::MeshScene scene = devices::mesh::openMesh(devices::parseUri(file).path);
     for (const std::string& repair : scene.repairs.why)
-        spdlog::warn("{}: {}", config.input, repair);
-    spdlog::info("input: {}", devices::mesh::describe(scene));
+        spdlog::warn("{}: {}", file, repair);
+    spdlog::info("scene: {}", devices::mesh::describe(scene));
     return scene;
+}
+
+bool sceneMoves(const config::Config& config, const devices::mesh::MeshScene& scene) {
+    return config.scene.turnS != 0 || scene.periodS > 0;
 }
 
 gpu::SceneParams sceneParams(const config::Config& config) {

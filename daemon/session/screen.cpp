@@ -1,8 +1,5 @@
 #include "daemon/session/screen.hpp"
 
-#include "calib/flat_panel.hpp"
-#include "calib/message_picture.hpp"
-#include "calib/panel_map.hpp"
 #include "daemon/find_display.hpp"
 #include "daemon/session/pattern_picture.hpp"
 #include "daemon/session/scene_content.hpp"
@@ -24,6 +21,8 @@ std::vector<std::pair<std::string, double>> perFrame(const gpu::DepthConditioner
     return pixels;
 }
 
+constexpr const char* kContentStill = "idle";
+
 ChosenDisplay choose(const config::Config& config, config::Output output, bool force) {
     if (output == config::Output::Window) return chooseWindowDisplay(config, force);
     return {chooseDisplay(config), ""};
@@ -33,7 +32,8 @@ ChosenDisplay choose(const config::Config& config, config::Output output, bool f
 
 Screen::Screen(const config::Config& config, config::Output output, bool force)
     : config_(config), output_(output), force_(force), chosen_(choose(config, output, force)),
-      panel_(openPanel(chosen_.profile, output, force, config.refreshHz, chosen_.connector)) {
+      panel_(openPanel(chosen_.profile, output, force, config.refreshHz, chosen_.connector)),
+      idle_(config) {
     spdlog::info("display: {} ({} views), {}x{} {}", display().model, display().views,
                  panel_->width(), panel_->height(), panel_->description());
     spdlog::info("renderer: {}", gpu::rendererName());
@@ -80,6 +80,12 @@ void Screen::build() {
 
 void Screen::adjust(const config::Config& config) {
     config_ = config;
+    idle_.replace(config);
+    if (stillName_ == kContentStill) stillName_.clear(); // it may look otherwise
+    applyLook();
+}
+
+void Screen::applyLook() {
     if (scene_ != nullptr) return build();
     if (!pipeline_) return;
     const gpu::PipelineParams wanted = methods_->apply(params());
@@ -97,13 +103,14 @@ void Screen::replace(const config::Config& config) {
     chosen_ = std::move(next);
     config_ = config;
     stillName_.clear();
+    idle_.replace(config);
     if (rig_ || scene_ != nullptr) build();
 }
 
 void Screen::setFlat(bool flat) {
     if (flat == flat_) return;
     flat_ = flat;
-    adjust(config_);
+    applyLook();
 }
 
 void Screen::show(const devices::RgbdFrame& frame) {
@@ -132,28 +139,27 @@ void Screen::fill() {
     dim();
 }
 
-bool Screen::makeStill(const std::string& name) {
-    if (stillName_ == name) return false;
-    stillName_ = name;
-    if (still_.isSized(panel_->width(), panel_->height())) return true;
-    still_ = gpu::gl::Texture(GL_RGBA8, panel_->width(), panel_->height());
-    stillFrame_ = gpu::gl::makeFramebuffer(still_);
-    return true;
+void Screen::showStill(const std::string& name, const std::function<void(GLuint)>& draw) {
+    const int width = panel_->width(), height = panel_->height();
+    if (!still_.isSized(width, height)) {
+        still_ = gpu::gl::Texture(GL_RGBA8, width, height);
+        stillFrame_ = gpu::gl::makeFramebuffer(still_);
+    }
+    if (stillName_ != name) {
+        stillName_.clear(); // if drawing fails
+        draw(stillFrame_.name());
+        stillName_ = name;
+    }
+    glBlitNamedFramebuffer(stillFrame_.name(), panel_->framebuffer(), 0, 0, width, height, 0, 0,
+                           width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void Screen::showMessage(const std::string& text) {
-    const int width = panel_->width(), height = panel_->height();
-    if (makeStill("message " + text)) {
-        const calib::Picture panel =
-            calib::flatPanel(calib::messagePicture(config_.idle.picture, text, width, height),
-                             calib::panelMap(display(), width, height), display().views);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTextureSubImage2D(still_.name(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE,
-                            panel.pixels.data());
-    }
-    // The picture's top row lies first in the texture, GL's rows go up.
-    glBlitNamedFramebuffer(stillFrame_.name(), panel_->framebuffer(), 0, 0, width, height, 0,
-                           height, width, 0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+void Screen::showIdle(const std::string& text, double seconds) {
+    const auto draw = [&](GLuint framebuffer) { idle_.draw(text, seconds, standing(framebuffer)); };
+    if (text.empty() && idle_.moves())
+        draw(panel_->framebuffer());
+    else
+        showStill(text.empty() ? kContentStill : "message " + text, draw);
     dim();
 }
 
@@ -163,11 +169,9 @@ void Screen::showBlack() {
 }
 
 void Screen::showPattern(const Pattern& pattern) {
-    const int width = panel_->width(), height = panel_->height();
-    if (makeStill("pattern " + nameOf(pattern)))
-        drawPattern(pattern, display(), width, height, stillFrame_.name());
-    glBlitNamedFramebuffer(stillFrame_.name(), panel_->framebuffer(), 0, 0, width, height, 0, 0,
-                           width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    showStill("pattern " + nameOf(pattern), [&](GLuint framebuffer) {
+        drawPattern(pattern, display(), panel_->width(), panel_->height(), framebuffer);
+    });
 }
 
 /// Disparities and headers are no light.
@@ -202,6 +206,7 @@ void Screen::account(Report& report) const {
     if (!pipeline_) return;
     report.conditioner = perFrame(pipeline_->conditioner().tally());
     report.keptColor = pipeline_->keptColorShare();
+    report.colorWay = devices::pixelWayName(pipeline_->colorWay());
     report.keptFusion = pipeline_->fusion().holes().keptShare();
     if (const auto kept = pipeline_->keptShare()) {
         report.keptShare = kept->search;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "config/config.hpp"
+#include "daemon/session/idle.hpp"
 #include "daemon/session/method_memory.hpp"
 #include "daemon/session/pattern_picture.hpp"
 #include "daemon/session/preview.hpp"
@@ -47,8 +48,12 @@ class Screen {
     /// Where the viewer's eyes are, asked just before the panel is filled; from the next picture
     /// on.
     void followEyes(std::function<calib::EyePair()> latch) { latch_ = std::move(latch); }
-    /// An idle picture with a message.
-    void showMessage(const std::string& text);
+    /// An idle picture with a message; without one, the idle content as it is at a time.
+    void showIdle(const std::string& text, double seconds);
+    /// Whether that content looks otherwise now than when it was shown last.
+    [[nodiscard]] bool advanceIdle(double seconds) { return idle_.advance(seconds); }
+    /// It is not to be seen any more.
+    void leaveIdle() { idle_.leave(); }
     void showBlack();
     /// Throws UsageError, GlError.
     void showPattern(const Pattern& pattern);
@@ -71,8 +76,12 @@ class Screen {
   private:
     [[nodiscard]] gpu::PipelineParams params() const;
     void build();
-    /// Whether the still picture has to be drawn: there is room for it, and it is another one.
-    [[nodiscard]] bool makeStill(const std::string& name);
+    /// A picture that is drawn once and kept while it has the same name.
+    void showStill(const std::string& name, const std::function<void(GLuint)>& draw);
+    [[nodiscard]] StandingTarget standing(GLuint framebuffer) const {
+        return {display(), panel_->width(), panel_->height(), framebuffer};
+    }
+    void applyLook();
     void dim();
     void fill();
 
@@ -83,6 +92,7 @@ class Screen {
     ChosenDisplay chosen_;
     std::unique_ptr<gpu::Panel> panel_;
     gpu::Dimmer dimmer_;
+    Idle idle_;
     std::optional<calib::SensorRig> rig_;
     std::optional<MethodMemory> methods_;
     std::unique_ptr<gpu::Pipeline> pipeline_;

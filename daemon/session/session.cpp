@@ -48,7 +48,7 @@ Session::Session(const RunOptions& options, const config::Config& config, Tap se
                  config.ring),
       input_(isScene(config) || waitsForInput() ? std::nullopt
                                                 : std::make_optional(openScene(config, tap()))),
-      scene_(isScene(config) ? std::make_optional(openMeshScene(config)) : std::nullopt),
+      scene_(isScene(config) ? std::make_optional(openMeshScene(config.input)) : std::nullopt),
       screen_(config, output_, options.force), policy_(config.idle, clock_.now()),
       attendance_(config.rest, clock_.now()), shownSince_(clock_.now()),
       presentedAt_(clock_.now()) {
@@ -75,7 +75,7 @@ Session::Session(const RunOptions& options, const config::Config& config, Tap se
 }
 
 void Session::openViewer() {
-    const devices::TimePoint start = realtime_ ? clock_.now() : devices::TimePoint{};
+    const auto start = realtime_ ? std::make_optional(clock_.now()) : std::nullopt;
     viewer_ = Viewer::open(config_.viewer, screen_.display(), start, clock_);
     if (!viewer_) return;
     if (!realtime_ && viewer_->isLive())
@@ -104,6 +104,7 @@ void Session::adopt(devices::Input input) {
     auto feed = openFeed(std::move(input), config_,
                          realtime_ ? config::Speed::Realtime : config::Speed::Max, loop, clock_);
     screen_.start(rig);
+    if (viewer_) viewer_->start(rig);
     feed_ = std::move(feed);
     last_ = {};
     colorAlone_ = {};
@@ -147,11 +148,8 @@ bool Session::step() {
     else if (realtime_)
         showWithoutPair();
     if (!frame) followViewer();
-    if (redraw_ ||
-        ((pattern_ || isStanding(shown_)) && clock_.now() - presentedAt_ >= kStillInterval)) {
-        drawAgain();
-        present();
-    }
+    powerMonitor();
+    refreshStanding();
     screen_.panel().pollEvents();
     log();
     return true;
@@ -169,6 +167,7 @@ bool Session::isFresh(const devices::RgbdFrame& frame) {
 void Session::show(devices::RgbdFrame frame) {
     const devices::TimePoint takenAt = clock_.now();
     attendance_.saw(frame.depth, takenAt);
+    if (viewer_) viewer_->saw(frame);
     const auto resting = rest();
     if (!pattern_) enter(resting.value_or(Shown::Live));
     policy_.presented(takenAt);
@@ -233,6 +232,7 @@ void Session::enter(Shown shown) {
     redraw_ |= isStanding(shown) || isStanding(shown_);
     shown_ = shown;
     shownSince_ = clock_.now();
+    powerMonitor();
 }
 
 void Session::present() {

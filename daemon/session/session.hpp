@@ -23,6 +23,8 @@ class Session {
   public:
     /// A picture that stands is presented anew: what is behind a window may have lost it.
     static constexpr std::chrono::milliseconds kStillInterval{500};
+    /// What moves by itself has a display's rate, 60 Hz.
+    static constexpr std::chrono::milliseconds kPictureInterval{16};
 
     /// Opens input, display and panel. `sensors` gets every input as it was opened, on any thread,
     /// and gives the one to show. Throws what they throw.
@@ -75,10 +77,15 @@ class Session {
     void showWithoutPair();
     void showColorAlone(devices::Frame color);
     void drawAgain();
+    void presentAgain();
+    /// What stands is presented anew after a time, and when it looks otherwise by itself.
+    void refreshStanding();
     void openViewer();
     void followViewer();
     void present();
     void enter(Shown shown);
+    /// The monitor is off while nobody has been there, or it has been closed, for long.
+    void powerMonitor();
     void log();
     [[nodiscard]] std::optional<devices::SensorStatuses> sensors() const;
 

@@ -112,6 +112,7 @@ Status Session::status() {
     status.width = screen_.panel().width();
     status.height = screen_.panel().height();
     status.panel = screen_.panel().description();
+    status.monitorOn = screen_.panel().monitorIsOn();
     if (opener_) status.inputProblem = opener_->problem();
     status.sensors = sensors();
     const bool pair = shown_ == Shown::Live || shown_ == Shown::Frozen;

@@ -7,12 +7,6 @@
 
 namespace autostereo::daemon {
 
-namespace {
-
-constexpr std::chrono::milliseconds kPictureInterval{16}; // a display's rate, 60 Hz
-
-} // namespace
-
 void Session::startScene() {
     if (!config_.viewer.source.empty())
         spdlog::warn("viewer: a scene is drawn for the display's own places, not for {}",
@@ -29,15 +23,15 @@ bool Session::stepScene() {
     if (realtime_) clock_.sleepUntil(presentedAt_ + kPictureInterval);
     const auto resting = rest();
     if (!pattern_) enter(resting.value_or(Shown::Live));
-    const bool moves = config_.scene.turnS != 0 || scene_->periodS > 0;
+    powerMonitor();
+    const bool moves = sceneMoves(config_, *scene_);
     const bool isFirst = report_.presented == 0;
     const bool stands = clock_.now() - presentedAt_ >= kStillInterval;
     ++before_.pairs; // a moment of the scene: presented or skipped
     if (pattern_ || resting || (!moves && !isFirst && !redraw_)) {
         ++report_.skipped[pattern_ ? "pattern" : resting ? shownName(*resting) : "unchanged"];
         if (redraw_ || (realtime_ && stands)) {
-            drawAgain();
-            present();
+            presentAgain();
         } else if (realtime_) {
             watchdog_.pet(); // what is on the panel is the newest there is
             clock_.sleepUntil(clock_.now() + kPictureInterval);

@@ -50,6 +50,39 @@ void Session::showColorAlone(devices::Frame color) {
     policy_.colored(clock_.now());
 }
 
+void Session::powerMonitor() {
+    const bool resting = !pattern_ && (shown_ == Shown::Nobody || shown_ == Shown::Closed);
+    const auto& after = config_.rest.monitorOff;
+    const bool off = resting && after && clock_.now() - shownSince_ >= *after;
+    gpu::Panel& panel = screen_.panel();
+    if (off != panel.monitorIsOn()) return;
+    panel.turnMonitor(!off);
+    if (off == panel.monitorIsOn()) return; // it cannot
+    redraw_ |= !off;
+    spdlog::info("panel: monitor {}", off ? "off" : "on");
+}
+
+void Session::refreshStanding() {
+    const bool standing = !pattern_ && isStanding(shown_) && shown_ != Shown::Closed;
+    const bool content = standing && message_.empty() && screen_.panel().monitorIsOn();
+    if (!content) screen_.leaveIdle();
+    const devices::Duration since = clock_.now() - presentedAt_;
+    const bool due = (pattern_ || isStanding(shown_)) && since >= kStillInterval;
+    const bool moved = content && since >= kPictureInterval && screen_.advanceIdle(sceneSeconds());
+    if (redraw_ || due || moved) presentAgain();
+}
+
+void Session::presentAgain() {
+    if (screen_.panel().monitorIsOn()) {
+        drawAgain();
+        return present();
+    }
+    // A monitor that is off has no vertical sync to wait for; there is nothing to see on it.
+    redraw_ = false;
+    presentedAt_ = clock_.now();
+    watchdog_.pet();
+}
+
 void Session::drawAgain() {
     redraw_ = false;
     if (pattern_)
@@ -57,7 +90,7 @@ void Session::drawAgain() {
     else if (shown_ == Shown::Closed)
         screen_.showBlack();
     else if (isStanding(shown_))
-        screen_.showMessage(shown_ == Shown::Idle ? message_ : "");
+        screen_.showIdle(shown_ == Shown::Idle ? message_ : "", sceneSeconds());
     else if (scene_)
         screen_.showScene(sceneSeconds());
     else if (shown_ == Shown::ColorAlone && !colorAlone_.color.empty())

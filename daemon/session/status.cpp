@@ -49,6 +49,7 @@ Json viewerJson(const Status& status) {
               {"accepted", viewer.samples.accepted},
               {"damaged", viewer.samples.damaged},
               {"limited", viewer.samples.limited},
+              {"nobody", viewer.samples.nobody},
               {"disordered", viewer.disordered}}},
             {"eyes_m", {eyeJson(viewer.eyes.left), eyeJson(viewer.eyes.right)}}};
 }
@@ -124,26 +125,29 @@ const char* sensorStateName(devices::SensorState state) {
 }
 
 std::string statusLine(const Status& status, const Report& report) {
-    const Json line{
-        {"ok", true},
-        {"shown", status.shown},
-        {"message", status.message},
-        {"shown_for_s", status.shownForS},
-        {"picture_age_s", status.pictureAgeS},
-        {"frame_age_ms", ageMs(status.capturedAt, status.now)},
-        {"pictures_per_s", status.rate},
-        {"panel", {{"width", status.width}, {"height", status.height}, {"is", status.panel}}},
-        {"input_problem", status.inputProblem},
-        {"sensors", sensorsJson(status)},
-        {"viewer", viewerJson(status)},
-        {"http", httpJson(status)},
-        {"settings",
-         {{"scale", numberOrAuto(status.scale)},
-          {"focus", numberOrAuto(status.focusM)},
-          {"method", status.method},
-          {"brightness", status.brightness},
-          {"mode", status.flat ? "2d" : "3d"}}},
-        {"report", Json::parse(reportText(report))}};
+    const Json line{{"ok", true},
+                    {"shown", status.shown},
+                    {"message", status.message},
+                    {"shown_for_s", status.shownForS},
+                    {"picture_age_s", status.pictureAgeS},
+                    {"frame_age_ms", ageMs(status.capturedAt, status.now)},
+                    {"pictures_per_s", status.rate},
+                    {"panel",
+                     {{"width", status.width},
+                      {"height", status.height},
+                      {"is", status.panel},
+                      {"monitor_on", status.monitorOn}}},
+                    {"input_problem", status.inputProblem},
+                    {"sensors", sensorsJson(status)},
+                    {"viewer", viewerJson(status)},
+                    {"http", httpJson(status)},
+                    {"settings",
+                     {{"scale", numberOrAuto(status.scale)},
+                      {"focus", numberOrAuto(status.focusM)},
+                      {"method", status.method},
+                      {"brightness", status.brightness},
+                      {"mode", status.flat ? "2d" : "3d"}}},
+                    {"report", Json::parse(reportText(report))}};
     return line.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
@@ -169,6 +173,8 @@ std::string statusText(const std::string& line) try {
             report.at("frames_presented").dump() + " presented, " +
             report.at("frames_skipped").dump() + " skipped " + report.at("skipped").dump() + ", " +
             report.at("frames_dropped").dump() + " dropped\n";
+    if (const auto way = report.at("color_way").get<std::string>(); way != "copied")
+        text += "color: " + way + ", without a copy\n";
     if (const Json& kept = report.at("search_kept_share"); kept.is_number())
         text += "not searched anew: " + std::to_string(static_cast<int>(100 * kept.get<double>())) +
                 " % of the panel\n";

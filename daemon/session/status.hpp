@@ -22,6 +22,7 @@ struct Status {
     double rate = 0;                              ///< live pictures per second, lately
     int width = 0, height = 0;                    ///< of the panel, pixels
     std::string panel;
+    bool monitorOn = true;
     std::string inputProblem; ///< why the input is not there; empty: it is, or nothing is known
     std::optional<devices::SensorStatuses> sensors; ///< none: the input is not there
     devices::TimePoint now;

@@ -20,7 +20,8 @@ calib::EyePair eyesInTheMiddle(const calib::DisplayProfile& display, double spac
 } // namespace
 
 std::unique_ptr<Viewer> Viewer::open(const devices::ViewerParams& params,
-                                     const calib::DisplayProfile& display, devices::TimePoint start,
+                                     const calib::DisplayProfile& display,
+                                     std::optional<devices::TimePoint> start,
                                      devices::Clock& clock) {
     if (params.source.empty()) return nullptr;
     if (!gpu::EyeSynthesis::fits(display)) {
@@ -32,9 +33,11 @@ std::unique_ptr<Viewer> Viewer::open(const devices::ViewerParams& params,
 }
 
 Viewer::Viewer(const devices::ViewerParams& params, const calib::DisplayProfile& display,
-               devices::TimePoint start, devices::Clock& clock)
+               std::optional<devices::TimePoint> start, devices::Clock& clock)
     : sourceName_(params.source), eyes_(eyesInTheMiddle(display, params.spacingM)),
-      source_(devices::openEyes(params, eyes_.middle(), start, clock)), follower_(params, eyes_) {
+      source_(devices::openEyes(params, eyes_.middle(), start.value_or(devices::TimePoint{}),
+                                !start, clock)),
+      follower_(params, eyes_) {
     spdlog::info("viewer: {}", params.source);
 }
 

@@ -26,20 +26,24 @@ struct ViewerStatus {
 class Viewer {
   public:
     /// None where nobody is followed, or by a display that knows no eyes, which the log says.
-    /// Recorded viewers begin at `start`. `clock` must outlive it. Throws DeviceError.
+    /// Recorded viewers begin at `start`, or with the recordings at --speed max (none). `clock`
+    /// must outlive it. Throws DeviceError.
     [[nodiscard]] static std::unique_ptr<Viewer> open(const devices::ViewerParams& params,
                                                       const calib::DisplayProfile& display,
-                                                      devices::TimePoint start,
+                                                      std::optional<devices::TimePoint> start,
                                                       devices::Clock& clock);
 
     /// The eyes when what is drawn now is seen.
     [[nodiscard]] const calib::EyePair& eyes(devices::TimePoint now);
+    /// The cameras that `saw` gets frames of.
+    void start(const calib::SensorRig& rig) { source_->useCameras(rig); }
+    void saw(const devices::RgbdFrame& frame) { source_->saw(frame); }
     [[nodiscard]] bool isLive() const { return source_->isLive(); }
     [[nodiscard]] ViewerStatus status(devices::TimePoint now) const;
 
   private:
     Viewer(const devices::ViewerParams& params, const calib::DisplayProfile& display,
-           devices::TimePoint start, devices::Clock& clock);
+           std::optional<devices::TimePoint> start, devices::Clock& clock);
 
     std::string sourceName_;
     calib::EyePair eyes_;

@@ -19,8 +19,6 @@ namespace {
 
 constexpr const char* kTemporary = ".new-"; // followed by six letters
 
-std::string reason() { return std::generic_category().message(errno); }
-
 bool isPlain(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
 }
@@ -77,15 +75,15 @@ std::optional<std::string> CalibrationCache::replace(const std::filesystem::path
     std::string temporary = file.string() + kTemporary + "XXXXXX";
     {
         const UniqueFd fd(::mkostemp(temporary.data(), O_CLOEXEC));
-        if (!fd) return reason();
+        if (!fd) return errnoText();
         if (!writeAll(fd.get(), text) || ::fchmod(fd.get(), 0644) != 0 || ::fsync(fd.get()) != 0) {
-            const std::string why = reason();
+            const std::string why = errnoText();
             ::unlink(temporary.c_str());
             return why;
         }
     }
     if (::rename(temporary.c_str(), file.c_str()) != 0) {
-        const std::string why = reason();
+        const std::string why = errnoText();
         ::unlink(temporary.c_str());
         return why;
     }

@@ -101,12 +101,10 @@ DrmPipe pipeOf(int card, const drmModeConnector& connector) {
     return pipe;
 }
 
-std::string reason() { return std::generic_category().message(errno); }
-
 void readCard(const std::filesystem::path& file, DrmReading& reading) {
     const UniqueFd card(::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     if (!card) {
-        reading.notes.push_back(file.string() + ": cannot open it: " + reason() +
+        reading.notes.push_back(file.string() + ": cannot open it: " + errnoText() +
                                 " (its links' state is unknown; group video may read it)");
         return;
     }
@@ -115,7 +113,7 @@ void readCard(const std::filesystem::path& file, DrmReading& reading) {
     drmSetClientCap(card.get(), DRM_CLIENT_CAP_ATOMIC, 1);
     const Resources resources(drmModeGetResources(card.get()));
     if (resources == nullptr) {
-        reading.notes.push_back(file.string() + ": drives no monitors: " + reason());
+        reading.notes.push_back(file.string() + ": drives no monitors: " + errnoText());
         return;
     }
     for (int i = 0; i < resources->count_connectors; ++i) {

@@ -16,7 +16,7 @@ struct Header {
     std::uint32_t magic;
 };
 
-struct Footer {
+struct ColorFooter {
     std::uint32_t magic;
     std::uint32_t sequence;
     std::uint32_t fillerBytes;
@@ -29,11 +29,11 @@ struct Footer {
     float analogGain;
     std::uint32_t unused[3];
 };
-static_assert(sizeof(Footer) == 56);
+static_assert(sizeof(ColorFooter) == 56);
 
 bool endsWithFooter(std::span<const std::byte> bytes) {
-    if (bytes.size() < sizeof(Header) + sizeof(Footer)) return false;
-    const auto footer = valueAt<Footer>(bytes, bytes.size() - sizeof(Footer));
+    if (bytes.size() < sizeof(Header) + sizeof(ColorFooter)) return false;
+    const auto footer = valueAt<ColorFooter>(bytes, bytes.size() - sizeof(ColorFooter));
     return footer.magic == kEnd && footer.headerMagic == kBegin;
 }
 
@@ -42,8 +42,8 @@ bool endsWithFooter(std::span<const std::byte> bytes) {
 std::optional<ColorPacket> parseColorPacket(std::span<const std::byte> packet) {
     if (!endsWithFooter(packet)) return std::nullopt;
     const auto header = valueAt<Header>(packet, 0);
-    const auto footer = valueAt<Footer>(packet, packet.size() - sizeof(Footer));
-    const std::size_t body = packet.size() - sizeof(Header) - sizeof(Footer);
+    const auto footer = valueAt<ColorFooter>(packet, packet.size() - sizeof(ColorFooter));
+    const std::size_t body = packet.size() - sizeof(Header) - sizeof(ColorFooter);
     if (header.magic != kBegin || header.sequence != footer.sequence ||
         footer.packetBytes != packet.size() || footer.fillerBytes >= body)
         return std::nullopt;

@@ -11,7 +11,7 @@ namespace {
 constexpr unsigned kAllUsed = (1U << kUsedSubImages) - 1;
 
 /// Behind each sub-image; 128 bytes of unknown use follow.
-struct Footer {
+struct DepthFooter {
     std::uint32_t magic[2];
     std::uint32_t timestamp;
     std::uint32_t sequence;
@@ -48,7 +48,7 @@ bool DepthPackets::append(std::span<const std::byte> packet, bool intact) {
 }
 
 bool DepthPackets::finishSubImage() {
-    const auto footer = valueAt<Footer>(work_, kSubImageBytes);
+    const auto footer = valueAt<DepthFooter>(work_, kSubImageBytes);
     if (footer.length != kSubImageBytes || footer.subsequence >= kSubImages) {
         ++counters_.brokenSubImages;
         return false;

@@ -9,8 +9,6 @@ namespace autostereo::devices::mesh {
 
 namespace {
 
-constexpr std::size_t kMostEntries = 1'000'000; // of a list in the document
-
 enum Component : std::size_t {
     Int8 = 5120,
     Uint8 = 5121,

@@ -11,6 +11,8 @@ namespace autostereo::devices::mesh {
 
 using Json = nlohmann::json;
 
+inline constexpr std::size_t kMostEntries = 1'000'000; // of a list in the document
+
 /// What a glTF file says, element by element, checked at every step. Errors are DeviceErrors that
 /// name the key.
 [[noreturn]] inline void failAt(const std::string& key, const Json& value,

@@ -11,7 +11,7 @@ namespace autostereo::devices::mesh {
 
 namespace {
 
-constexpr std::size_t kMostEntries = 65'536;
+constexpr std::size_t kMostMaterials = 65'536;
 
 glm::vec3 color(const Json& object, const char* key, float absent, float most) {
     glm::vec3 read{absent};
@@ -43,7 +43,7 @@ class MaterialsReader {
         read.name = text(material, "name");
         read.emissive = color(material, "emissiveFactor", 0, kBrightest);
         if (const Json* picture = member(surface, "baseColorTexture"))
-            read.texture = texture(whole(*picture, "index", kMostEntries));
+            read.texture = texture(whole(*picture, "index", kMostMaterials));
         return read;
     }
 
@@ -62,12 +62,12 @@ class MaterialsReader {
         return added;
     }
     [[nodiscard]] std::vector<std::byte> bytes(std::size_t index) const {
-        const Json& image = list(document_, "images", kMostEntries)
-                                .at(whole(list(document_, "textures", kMostEntries).at(index),
-                                          "source", kMostEntries));
+        const Json& image = list(document_, "images", kMostMaterials)
+                                .at(whole(list(document_, "textures", kMostMaterials).at(index),
+                                          "source", kMostMaterials));
         const std::string uri = text(image, "uri");
         if (!uri.empty()) return buffers_.fetch(uri);
-        const auto view = buffers_.view(whole(image, "bufferView", kMostEntries * 16));
+        const auto view = buffers_.view(whole(image, "bufferView", kMostMaterials * 16));
         return {view.begin(), view.end()};
     }
 

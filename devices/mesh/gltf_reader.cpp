@@ -12,8 +12,6 @@ namespace autostereo::devices::mesh {
 
 namespace {
 
-constexpr std::size_t kMostEntries = 1'000'000;
-
 struct Container {
     std::span<const std::byte> json, chunk;
 };

@@ -1,27 +1,18 @@
 #include "devices/mesh/open_mesh.hpp"
 
+#include "devices/content_kind.hpp"
 #include "devices/input.hpp"
 #include "devices/mesh/readers.hpp"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <new>
 
 namespace autostereo::devices::mesh {
 
 namespace {
-
-std::string extensionOf(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char letter) {
-        return static_cast<char>(std::tolower(letter));
-    });
-    return extension;
-}
 
 MeshDraft readByName(const MeshFile& file, const std::string& extension) {
     if (extension == ".obj") return readObj(file);
@@ -44,8 +35,7 @@ std::string counted(std::size_t count, const std::string& what) {
 } // namespace
 
 bool isMeshFile(const std::filesystem::path& file) {
-    constexpr std::array<std::string_view, 4> kKinds{".obj", ".ply", ".gltf", ".glb"};
-    return std::ranges::find(kKinds, extensionOf(file)) != kKinds.end();
+    return contentKind(file) == ContentKind::Scene;
 }
 
 void allow(std::size_t count, std::size_t most, const char* what) {

@@ -8,9 +8,13 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include <fcntl.h>
@@ -63,26 +67,42 @@ class Reader {
     Reader& operator=(const Reader&) = delete;
 
     /// All of `bytes`, or false: the process ended, broke or hangs.
-    [[nodiscard]] bool read(std::span<std::byte> bytes) {
-        while (!bytes.empty()) {
-            pollfd waiting{pipe_.get(), POLLIN, 0};
-            const int ready = poll(&waiting, 1, kPatienceMs);
-            if (ready < 0 && errno == EINTR) continue;
-            if (ready <= 0) return false;
-            const ssize_t got = ::read(pipe_.get(), bytes.data(), bytes.size());
-            if (got < 0 && errno == EINTR) continue;
-            if (got <= 0) return false;
-            bytes = bytes.subspan(static_cast<std::size_t>(got));
-        }
-        return true;
-    }
+    [[nodiscard]] bool read(std::span<std::byte> bytes) { return readMost(bytes) == bytes.size(); }
     template<class Header>
     [[nodiscard]] bool readHeader(Header& header) {
         return read(std::as_writable_bytes(std::span(&header, 1))) &&
                header.magic == Header::kMagic;
     }
+    /// Why there is no stream, if there is none: what the process says instead of its header.
+    [[nodiscard]] std::optional<std::string> begin(OniStreamHeader& header) {
+        std::array<char, 400> said{};
+        const auto all = std::as_writable_bytes(std::span(said));
+        const std::size_t first = readMost(all.first(sizeof header));
+        std::memcpy(&header, said.data(), sizeof header);
+        if (first == sizeof header && header.magic == OniStreamHeader::kMagic) return std::nullopt;
+        if (first == sizeof header) static_cast<void>(readMost(all.subspan(first)));
+        const std::string_view line(said.data(), strnlen(said.data(), said.size()));
+        return line.empty() ? "the reader ended without a word"
+                            : std::string(line.substr(0, line.find('\n')));
+    }
 
   private:
+    /// How many bytes came before the process ended, broke or hung.
+    [[nodiscard]] std::size_t readMost(std::span<std::byte> bytes) {
+        std::size_t count = 0;
+        while (count < bytes.size()) {
+            pollfd waiting{pipe_.get(), POLLIN, 0};
+            const int ready = poll(&waiting, 1, kPatienceMs);
+            if (ready < 0 && errno == EINTR) continue;
+            if (ready <= 0) break;
+            const ssize_t got = ::read(pipe_.get(), bytes.data() + count, bytes.size() - count);
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) break;
+            count += static_cast<std::size_t>(got);
+        }
+        return count;
+    }
+
     UniqueFd pipe_;
     pid_t process_ = -1;
 };
@@ -135,11 +155,12 @@ class OniSource final : public Source {
         reader_ = std::make_unique<Reader>(file_, stream_);
         next_ = 0;
         ended_ = false;
-        const bool known = reader_->readHeader(shape_);
+        const auto why = reader_->begin(shape_);
         const auto inside = [](int side) { return side >= 1 && side <= kLargest; };
-        if (!known || !inside(shape_.width) || !inside(shape_.height) || shape_.frames < 1)
+        if (why || !inside(shape_.width) || !inside(shape_.height) || shape_.frames < 1)
             throw DeviceError(file_.string() + ": no " + stream_ +
-                              " can be read from it (damaged, empty, or no OpenNI2 recording)");
+                              " can be read from it (damaged, " + "empty, or no OpenNI2 recording" +
+                              (why ? ": " + *why : "") + ")");
     }
     ReadResult end() {
         if (!ended_ && next_ < static_cast<std::uint64_t>(shape_.frames))
@@ -160,11 +181,12 @@ class OniSource final : public Source {
     SourceCounters counters_;
 };
 
-/// A stream that may be missing; the reader says on standard error what it misses.
-std::unique_ptr<OniSource> openStream(const std::filesystem::path& path, const char* stream) try {
+/// A stream that may be missing: then none, and why.
+std::unique_ptr<OniSource> openStream(const std::filesystem::path& path, const char* stream,
+                                      std::string& whyNot) try {
     return std::make_unique<OniSource>(path, stream);
 } catch (const DeviceError& error) {
-    spdlog::info("{}", error.what());
+    whyNot = error.what();
     return nullptr;
 }
 
@@ -178,11 +200,11 @@ Input openOniFile(const std::filesystem::path& path, const std::optional<calib::
     Input input;
     input.uri = path.string();
     input.description = "OpenNI2 recording";
-    auto depth = openStream(path, "depth");
-    auto color = openStream(path, "color");
-    if (!depth && !color)
-        throw DeviceError(input.uri + ": neither depth nor colour can be read from it (damaged, "
-                                      "empty, or no OpenNI2 recording)");
+    std::string missing;
+    auto depth = openStream(path, "depth", missing);
+    auto color = openStream(path, "color", missing);
+    if (!depth && !color) throw DeviceError(missing);
+    if (!missing.empty()) spdlog::info("{}", missing);
     calib::SensorRig nominal;
     nominal.provenance = "the fields of view in the recording";
     for (const auto& [source, name] : {std::pair{depth.get(), "depth"}, {color.get(), "colour"}}) {

@@ -3,7 +3,8 @@
 #include <cstdint>
 
 // What the reader process writes to its standard output: one OniStreamHeader, then for each frame
-// an OniFrameHeader and its pixels, with the amplitudes behind them where it says so.
+// an OniFrameHeader and its pixels, with the amplitudes behind them where it says so. Instead of it
+// all, where there is no such stream: one line that says why.
 
 namespace autostereo::devices::openni2 {
 

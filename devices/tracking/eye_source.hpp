@@ -1,7 +1,9 @@
 #pragma once
 
 #include "calib/eye_pair.hpp"
+#include "calib/sensor_rig.hpp"
 #include "devices/clock.hpp"
+#include "devices/frame.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -15,10 +17,11 @@ struct EyeSample {
 };
 
 struct EyeCounters {
-    std::uint64_t received = 0; ///< whatever came: accepted + damaged + limited
+    std::uint64_t received = 0; ///< whatever came: the sum of the others
     std::uint64_t accepted = 0;
     std::uint64_t damaged = 0; ///< wrong size, no numbers, or nowhere a viewer can be
-    std::uint64_t limited = 0; ///< good, but more than are of use; the newest won
+    std::uint64_t limited = 0; ///< more than are of use, or than there was time for; the newest won
+    std::uint64_t nobody = 0;  ///< pictures without a viewer
 };
 
 /// Whether a viewer can be there: within 10 m each way, and no nearer to the panel than 10 cm.
@@ -36,6 +39,9 @@ class EyeSource {
     /// Stamped on arrival; else recorded.
     [[nodiscard]] virtual bool isLive() const noexcept = 0;
     [[nodiscard]] virtual EyeCounters counters() const noexcept = 0;
+    /// The daemon's own cameras, and what they see, for sources that look there.
+    virtual void useCameras(const calib::SensorRig& /*rig*/) {}
+    virtual void saw(const RgbdFrame& /*frame*/) {}
 };
 
 } // namespace autostereo::devices

@@ -4,8 +4,6 @@
 
 namespace autostereo::devices {
 
-namespace {
-
 glm::dvec3 turned(glm::dvec3 v, const glm::dvec3& angles) {
     const auto turn = [](double& a, double& b, double angle) {
         const double cosine = std::cos(angle), sine = std::sin(angle), before = a;
@@ -17,8 +15,6 @@ glm::dvec3 turned(glm::dvec3 v, const glm::dvec3& angles) {
     turn(v.x, v.y, angles.z);
     return v;
 }
-
-} // namespace
 
 calib::EyePair eyesOf(const HeadPose& head, const TrackerPose& tracker, const glm::dvec3& nominal,
                       double spacingM) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kSliceMs = 50; // longest time without a look at the stop token
 constexpr int kBatch = 32;
-constexpr Duration kRest = std::chrono::milliseconds(2);
+constexpr Duration kPollRest = std::chrono::milliseconds(2);
 /// What waits in the kernel is old when it is read: no more of it than a batch.
 constexpr int kKernelBytes = 16 * 1024;
 
@@ -64,7 +64,7 @@ void OpentrackSource::run(const std::stop_token& stop) {
         pollfd waiting{socket_.get(), POLLIN, 0};
         if (::poll(&waiting, 1, kSliceMs) <= 0) continue;
         takeBatch();
-        clock_.sleepUntil(clock_.now() + kRest);
+        clock_.sleepUntil(clock_.now() + kPollRest);
     }
 }
 

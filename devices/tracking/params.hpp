@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calib/camera_model.hpp"
 #include "devices/clock.hpp"
 
 #include <glm/vec3.hpp>
@@ -23,7 +24,7 @@ struct OneEuroParams {
 /// Where a head tracker stands and what its numbers mean.
 struct TrackerPose {
     /// Its origin in display space, metres; none: the display's nominal eye (trackers that count
-    /// from where the head was when they were centred).
+    /// from where the head was when they were centred), of a camera the panel's centre.
     std::optional<glm::dvec3> originM;
     glm::dvec3 rotationRad{0};      ///< right-handed turns about the display's x, then y, then z
     glm::dvec3 scale{1, 1, -1};     ///< its x, y, z to right, up, away from the panel
@@ -43,6 +44,10 @@ struct ViewerParams {
     Duration lostAfter = std::chrono::milliseconds(200); ///< without a sample
     Duration ease = std::chrono::milliseconds(500);      ///< to the nominal eyes, and back
     TrackerPose pose;
+    /// Of a colour camera that is a tracker: its calibration, or what it sees from left to right
+    /// (0: not known); neither: what comes with it.
+    std::optional<calib::CameraModel> camera;
+    double fieldOfViewRad = 0;
 
     [[nodiscard]] bool operator==(const ViewerParams&) const = default;
 };

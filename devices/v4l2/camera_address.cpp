@@ -69,8 +69,8 @@ void readFormat(const Uri& uri, ModeRequest& mode) {
 } // namespace
 
 CameraAddress cameraAddress(const Uri& uri) {
-    uri.allowOnly(
-        {"as", "size", "fps", "format", "unit_mm", "exposure_ms", "power_line", "white_balance"});
+    uri.allowOnly({"as", "size", "fps", "format", "unit_mm", "exposure_ms", "power_line",
+                   "white_balance", "zero_copy"});
     constexpr std::array<std::pair<std::string_view, Role>, 2> kRoles{
         {{"color", Role::Color}, {"depth", Role::Depth}}};
     constexpr std::array<std::pair<std::string_view, PowerLine>, 4> kPowerLines{
@@ -78,6 +78,8 @@ CameraAddress cameraAddress(const Uri& uri) {
          {"60", PowerLine::Hz60},
          {"auto", PowerLine::Auto},
          {"off", PowerLine::Off}}};
+    constexpr std::array<std::pair<std::string_view, bool>, 2> kZeroCopy{
+        {{"auto", true}, {"off", false}}};
     CameraAddress address;
     address.text = uri.text;
     address.name = nameOf(uri.path);
@@ -88,6 +90,7 @@ CameraAddress cameraAddress(const Uri& uri) {
     address.mode.framesPerSecond = uri.number("fps", 30, 0.1, 1000);
     address.depthUnitM = uri.number("unit_mm", 1, 0.001, 100) / 1000;
     address.controls.powerLine = choice(uri, "power_line", kPowerLines);
+    address.zeroCopy = choice(uri, "zero_copy", kZeroCopy).value_or(true);
     if (uri.query.contains("exposure_ms"))
         address.controls.exposure = std::chrono::microseconds(
             std::llround(1000 * uri.number("exposure_ms", 8, 0.1, 10'000)));

@@ -5,7 +5,6 @@
 
 #include <linux/videodev2.h>
 #include <poll.h>
-#include <sys/mman.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -17,16 +16,9 @@ namespace autostereo::devices::v4l2 {
 
 namespace {
 
-constexpr std::uint32_t kBuffers = 4;
-constexpr std::uint32_t kCapture = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-
-v4l2_buffer bufferRequest(std::uint32_t index = 0) {
-    v4l2_buffer buffer{};
-    buffer.type = kCapture;
-    buffer.memory = V4L2_MEMORY_MMAP;
-    buffer.index = index;
-    return buffer;
-}
+/// As many as are left while one of the driver's own four is read: with fewer a frame is lost as
+/// soon as this thread is late.
+constexpr std::uint32_t kLeastQueued = 3;
 
 /// 64 bits: a damaged stamp may hold any seconds.
 Duration durationOf(const timeval& time) {
@@ -44,35 +36,24 @@ StampOf stampOf(std::uint32_t flags, bool uvc) {
 
 } // namespace
 
-CaptureStream::Mapping::Mapping(int fd, std::size_t length, std::int64_t offset) {
-    void* data = ::mmap(nullptr, length, PROT_READ, MAP_SHARED, fd, offset);
-    if (data == MAP_FAILED) return;
-    data_ = static_cast<std::byte*>(data);
-    length_ = length;
-}
-
-CaptureStream::Mapping::Mapping(Mapping&& other) noexcept
-    : data_(std::exchange(other.data_, nullptr)), length_(std::exchange(other.length_, 0)) {}
-
-CaptureStream::Mapping::~Mapping() {
-    if (data_ != nullptr) ::munmap(data_, length_);
-}
-
 CaptureStream::CaptureStream(VideoNode node, const Mode& mode) : node_(std::move(node)) {
     agreeOn(mode);
-    mapBuffers();
+    buffers_ = CaptureBuffers::drivers(node_, false);
     start();
 }
 
 CaptureStream::~CaptureStream() {
-    if (node_.fd() < 0) return; // moved from
-    std::uint32_t type = kCapture;
+    if (node_.fd() >= 0) stop(); // else moved from
+}
+
+void CaptureStream::stop() {
+    std::uint32_t type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     static_cast<void>(node_.control(VIDIOC_STREAMOFF, type)); // ENODEV where it is gone
 }
 
 void CaptureStream::agreeOn(const Mode& mode) {
     v4l2_format format{};
-    format.type = kCapture;
+    format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     format.fmt.pix.width = static_cast<std::uint32_t>(mode.width);
     format.fmt.pix.height = static_cast<std::uint32_t>(mode.height);
     format.fmt.pix.pixelformat = mode.code;
@@ -87,6 +68,7 @@ void CaptureStream::agreeOn(const Mode& mode) {
     agreed_.mode = {got.pixelformat, static_cast<int>(got.width), static_cast<int>(got.height),
                     mode.period};
     agreed_.stride = got.bytesperline;
+    agreed_.pictureBytes = got.sizeimage;
     agreed_.yuv = yuvMeaning(got.colorspace, got.ycbcr_enc, got.quantization);
     constexpr std::uint32_t kMostSide = 16384;
     if (got.width > kMostSide || got.height > kMostSide ||
@@ -96,7 +78,7 @@ void CaptureStream::agreeOn(const Mode& mode) {
                           " with rows of " + std::to_string(agreed_.stride) + " bytes cannot be");
 
     v4l2_streamparm rate{};
-    rate.type = kCapture;
+    rate.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     constexpr std::uint32_t kTenMHz = 10'000'000; // UVC's own unit
     rate.parm.capture.timeperframe = {static_cast<std::uint32_t>(mode.period.count() / 100),
                                       kTenMHz};
@@ -108,42 +90,41 @@ void CaptureStream::agreeOn(const Mode& mode) {
                                                 rate.parm.capture.timeperframe.denominator));
 }
 
-void CaptureStream::mapBuffers() {
-    v4l2_requestbuffers request{};
-    request.count = kBuffers;
-    request.type = kCapture;
-    request.memory = V4L2_MEMORY_MMAP;
-    if (const int error = node_.control(VIDIOC_REQBUFS, request))
-        node_.fail("get buffers of", "VIDIOC_REQBUFS", error);
-    for (std::uint32_t i = 0; i < request.count && i < VIDEO_MAX_FRAME; ++i) {
-        v4l2_buffer buffer = bufferRequest(i);
-        if (const int error = node_.control(VIDIOC_QUERYBUF, buffer))
-            node_.fail("get buffers of", "VIDIOC_QUERYBUF", error);
-        buffers_.emplace_back(node_.fd(), buffer.length, std::int64_t{buffer.m.offset});
-        if (buffers_.back().bytes().empty()) node_.fail("map buffers of", "mmap", errno);
-    }
-}
-
 void CaptureStream::start() {
-    for (std::uint32_t i = 0; i < buffers_.size(); ++i)
-        if (queue(i) != 0) refused_.push_back(i);
-    std::uint32_t type = kCapture;
+    buffers_->queueFree(node_);
+    std::uint32_t type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     if (const int error = node_.control(VIDIOC_STREAMON, type))
         node_.fail("stream from", "VIDIOC_STREAMON", error);
 }
 
-int CaptureStream::queue(std::uint32_t buffer) {
-    v4l2_buffer request = bufferRequest(buffer);
-    return node_.control(VIDIOC_QBUF, request);
+void CaptureStream::useBuffers(PixelWay way, PixelMemory* memory, const BufferShape& shape) {
+    stop();
+    buffers_.reset(); // before the driver is asked for others: it may refuse while any is mapped
+    way_ = PixelWay::Copied;
+    buffers_ = way == PixelWay::Filled && memory != nullptr
+                   ? CaptureBuffers::filled(node_, *memory, shape)
+                   : CaptureBuffers::drivers(node_, way == PixelWay::Exported);
+    if (way == PixelWay::Filled)
+        if (const int error = buffers_->queue(node_, 0))
+            node_.fail("give the GPU's buffers to", "VIDIOC_QBUF", error);
+    start();
+    way_ = way;
 }
 
 void CaptureStream::giveBack(const Captured& captured) {
-    if (queue(captured.buffer) != 0) refused_.push_back(captured.buffer);
+    buffers_->release(captured.buffer);
+    static_cast<void>(buffers_->queue(node_, captured.buffer)); // refused: with the next `wait`
+}
+
+std::shared_ptr<const SharedPixels>
+CaptureStream::lend(const Captured& captured, std::shared_ptr<PixelSharing> sharing) const {
+    if (way_ == PixelWay::Copied || buffers_->queued() < kLeastQueued) return nullptr;
+    return buffers_->lend(captured.buffer, std::move(sharing), way_, agreed_.stride);
 }
 
 CaptureStream::Outcome CaptureStream::wait(TimePoint deadline) {
-    for (const std::uint32_t buffer : std::exchange(refused_, {}))
-        if (queue(buffer) != 0) refused_.push_back(buffer);
+    if (!buffers_) return Broken{"it has no buffers"};
+    buffers_->queueFree(node_);
     const Duration left = std::clamp<Duration>(deadline - std::chrono::steady_clock::now(),
                                                Duration(0), std::chrono::seconds(1));
     const timespec timeout{left.count() / 1'000'000'000, left.count() % 1'000'000'000};
@@ -153,12 +134,16 @@ CaptureStream::Outcome CaptureStream::wait(TimePoint deadline) {
 }
 
 CaptureStream::Outcome CaptureStream::dequeue(bool errorSeen) {
-    v4l2_buffer buffer = bufferRequest();
+    v4l2_buffer buffer{};
+    buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    buffer.memory = buffers_->memory();
     const int error = node_.control(VIDIOC_DQBUF, buffer);
     if (error == EAGAIN && !errorSeen) return Nothing{};
     if (error != 0) return Broken{error == EAGAIN ? "poll: device error" : std::strerror(error)};
-    if (buffer.index >= buffers_.size()) return Broken{"the driver gave a buffer that is not ours"};
-    const std::span<const std::byte> all = buffers_[buffer.index].bytes();
+    if (buffer.index >= buffers_->count())
+        return Broken{"the driver gave a buffer that is not ours"};
+    buffers_->take(buffer.index);
+    const std::span<const std::byte> all = buffers_->bytes(buffer.index);
     Captured captured;
     captured.bytes = all.first(std::min<std::size_t>(buffer.bytesused, all.size()));
     captured.sequence = buffer.sequence;

@@ -1,22 +1,23 @@
 #pragma once
 
+#include "devices/v4l2/capture_buffers.hpp"
 #include "devices/v4l2/frame_clock.hpp"
 #include "devices/v4l2/video_node.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace autostereo::devices::v4l2 {
 
 /// What the driver agreed to; may differ from what was asked for.
 struct Agreed {
     Mode mode;
-    std::size_t stride = 0; ///< bytes from row to row of the first plane
+    std::size_t stride = 0;       ///< bytes from row to row of the first plane
+    std::size_t pictureBytes = 0; ///< at most
     YuvMeaning yuv;
 };
 
@@ -30,8 +31,8 @@ struct Captured {
     std::uint32_t buffer = 0;
 };
 
-/// A running capture stream over mapped buffers: set up and started by construction, stopped by
-/// destruction. Movable, thread-bound.
+/// A running capture stream: set up and started by construction, over mapped buffers of the
+/// driver's, stopped by destruction. Movable, thread-bound.
 class CaptureStream {
   public:
     /// Throws DeviceError: refused, busy (with who holds it), gone.
@@ -53,35 +54,27 @@ class CaptureStream {
     [[nodiscard]] Outcome wait(TimePoint deadline);
     void giveBack(const Captured& captured);
 
+    /// Goes on over other buffers. What was lent stays valid; whoever was given a `Captured` has
+    /// given it back. Throws DeviceError, std::runtime_error and has to be given others then.
+    void useBuffers(PixelWay way, PixelMemory* memory, const BufferShape& shape);
+    /// In place of giving it back; none: too few would be left to the driver.
+    [[nodiscard]] std::shared_ptr<const SharedPixels>
+    lend(const Captured& captured, std::shared_ptr<PixelSharing> sharing) const;
+    [[nodiscard]] PixelWay way() const { return way_; }
+
     [[nodiscard]] const Agreed& agreed() const { return agreed_; }
     [[nodiscard]] const VideoNode& node() const { return node_; }
 
   private:
-    class Mapping {
-      public:
-        Mapping(int fd, std::size_t length, std::int64_t offset);
-        Mapping(Mapping&& other) noexcept;
-        Mapping& operator=(Mapping&&) = delete;
-        Mapping(const Mapping&) = delete;
-        Mapping& operator=(const Mapping&) = delete;
-        ~Mapping();
-        [[nodiscard]] std::span<const std::byte> bytes() const { return {data_, length_}; }
-
-      private:
-        std::byte* data_ = nullptr;
-        std::size_t length_ = 0;
-    };
-
     void agreeOn(const Mode& mode);
-    void mapBuffers();
     void start();
-    [[nodiscard]] int queue(std::uint32_t buffer);
+    void stop();
     [[nodiscard]] Outcome dequeue(bool errorSeen);
 
     VideoNode node_;
     Agreed agreed_;
-    std::vector<Mapping> buffers_;
-    std::vector<std::uint32_t> refused_; ///< could not be queued; tried again
+    PixelWay way_ = PixelWay::Copied;
+    std::shared_ptr<CaptureBuffers> buffers_;
 };
 
 } // namespace autostereo::devices::v4l2

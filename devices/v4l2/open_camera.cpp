@@ -94,14 +94,15 @@ OpenCamera openCamera(const CameraAddress& address, std::shared_ptr<Continuity> 
     CaptureStream stream(std::move(node), mode);
     camera.warnings = setControls(stream.node(), address.controls);
     camera.description = stream.node().card() + ", " + text(stream.agreed().mode);
-    camera.source =
-        std::make_unique<V4l2Source>(std::move(stream), address.depthUnitM, std::move(continuity));
+    camera.source = std::make_unique<V4l2Source>(std::move(stream), address.depthUnitM,
+                                                 address.controls, std::move(continuity));
     return camera;
 }
 
 Input openV4l2(const Uri& uri, const std::optional<calib::SensorRig>& rig) {
     CameraAddress address = cameraAddress(uri);
     const auto continuity = std::make_shared<Continuity>();
+    if (address.zeroCopy) continuity->sharing = std::make_shared<PixelSharing>();
     OpenCamera camera = openCamera(address, continuity);
     const Mode& mode = camera.source->stream().agreed().mode;
     const bool depth = camera.role == Role::Depth;

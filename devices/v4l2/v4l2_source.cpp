@@ -10,21 +10,52 @@
 
 namespace autostereo::devices::v4l2 {
 
-namespace {
+namespace {} // namespace
 
-TimePoint now() { return std::chrono::steady_clock::now(); }
-
-} // namespace
-
-V4l2Source::V4l2Source(CaptureStream stream, double depthUnitM,
+V4l2Source::V4l2Source(CaptureStream stream, double depthUnitM, const ControlParams& controls,
                        std::shared_ptr<Continuity> continuity)
     : stream_(std::move(stream)), format_(*knownFormat(stream_.agreed().mode.code)),
-      depthUnitM_(depthUnitM), continuity_(std::move(continuity)),
-      sequence_(continuity_->nextSequence) {
-    continuity_->silence.start(now(), stream_.agreed().mode.period);
+      depthUnitM_(depthUnitM), controls_(controls), continuity_(std::move(continuity)) {
+    const Agreed& agreed = stream_.agreed();
+    const bool packed =
+        bufferBytes(format_.pixels, agreed.mode.width, agreed.mode.height, agreed.stride) ==
+        frameBytes(format_.pixels, agreed.mode.width, agreed.mode.height);
+    if (continuity_->sharing && format_.role == Role::Color && !format_.jpeg && packed) {
+        sharing_ = continuity_->sharing;
+        auto invitation = std::make_shared<SharedPixels>();
+        invitation->sharing = sharing_;
+        invites_ = std::move(invitation);
+    }
+    begin();
+}
+
+void V4l2Source::begin() {
+    sequence_ = SequenceCounter(continuity_->nextSequence);
+    continuity_->silence.start(steadyNow(), stream_.agreed().mode.period);
+}
+
+void V4l2Source::followSharing() {
+    if (!sharing_) return;
+    for (PixelWay way = sharing_->way(); way != stream_.way(); way = sharing_->way()) {
+        // The driver's own stay what they are, but are lent no more.
+        if (way == PixelWay::Copied && stream_.way() == PixelWay::Exported) return;
+        const Agreed& agreed = stream_.agreed();
+        const BufferShape shape{agreed.stride, static_cast<std::size_t>(agreed.mode.height),
+                                agreed.pictureBytes};
+        try {
+            stream_.useBuffers(way, sharing_->memory().get(), shape);
+            // Some cameras forget them when a stream starts.
+            static_cast<void>(setControls(stream_.node(), controls_));
+        } catch (const std::exception& error) {
+            if (way == PixelWay::Copied) throw;
+            sharing_->refuse(way, error.what());
+        }
+        begin();
+    }
 }
 
 ReadResult V4l2Source::read(TimePoint deadline) noexcept try {
+    followSharing();
     // Damaged frames do not keep a caller longer than it wants.
     do {
         const TimePoint quietAt = continuity_->silence.deadline();
@@ -33,12 +64,13 @@ ReadResult V4l2Source::read(TimePoint deadline) noexcept try {
             return Disconnected{stream_.node().path() + ": " + broken->reason};
         if (const auto* captured = std::get_if<Captured>(&outcome)) {
             auto frame = convert(*captured);
-            stream_.giveBack(*captured);
+            const bool lent = frame && frame->shared() && frame->shared()->fd >= 0;
+            if (!lent) stream_.giveBack(*captured);
             if (frame) return std::move(*frame);
-        } else if (now() >= quietAt) {
+        } else if (steadyNow() >= quietAt) {
             return silent();
         }
-    } while (now() < deadline);
+    } while (steadyNow() < deadline);
     return Timeout{};
 } catch (const std::exception& error) {
     return Disconnected{stream_.node().path() + ": " + error.what()};
@@ -59,7 +91,7 @@ void V4l2Source::lookAtExposure(TimePoint time) {
 
 /// Nothing: dropped and counted.
 std::optional<Frame> V4l2Source::convert(const Captured& captured) {
-    const TimePoint time = now();
+    const TimePoint time = steadyNow();
     lookAtExposure(time);
     continuity_->silence.frame(time, exposure_);
     const std::uint64_t sequence = sequence_.map(captured.sequence);
@@ -68,7 +100,8 @@ std::optional<Frame> V4l2Source::convert(const Captured& captured) {
         ++counters_.damaged;
         return std::nullopt;
     }
-    auto frame = format_.jpeg ? decode(captured) : copy(captured);
+    auto frame = format_.jpeg ? decode(captured) : lend(captured);
+    if (!frame && !format_.jpeg) frame = copy(captured);
     if (!frame) return std::nullopt;
     frame->metadata().sequence = sequence;
     frame->metadata().capturedAt =
@@ -77,18 +110,37 @@ std::optional<Frame> V4l2Source::convert(const Captured& captured) {
     return frame;
 }
 
-std::optional<Frame> V4l2Source::slot(int width, int height, std::size_t encodedBytes) {
+FrameMetadata V4l2Source::form() const {
+    const Agreed& agreed = stream_.agreed();
     FrameMetadata metadata;
     metadata.format = format_.pixels;
-    metadata.width = width;
-    metadata.height = height;
+    metadata.width = agreed.mode.width;
+    metadata.height = agreed.mode.height;
     metadata.depthUnitM = depthUnitM_;
-    metadata.matrix = stream_.agreed().yuv.matrix;
-    metadata.range = stream_.agreed().yuv.range;
+    metadata.matrix = agreed.yuv.matrix;
+    metadata.range = agreed.yuv.range;
+    return metadata;
+}
+
+std::optional<Frame> V4l2Source::slot(std::size_t encodedBytes) {
+    FrameMetadata metadata = form();
     metadata.encodedBytes = encodedBytes;
     auto frame = pool_.acquire(metadata);
     if (!frame) ++counters_.starved;
     return frame;
+}
+
+/// Nothing: it has to be copied.
+std::optional<Frame> V4l2Source::lend(const Captured& captured) {
+    if (!sharing_ || sharing_->way() != stream_.way()) return std::nullopt;
+    const FrameMetadata metadata = form();
+    if (captured.bytes.size() < frameBytes(metadata.format, metadata.width, metadata.height))
+        return std::nullopt; // damaged, and counted as such
+    auto shared = stream_.lend(captured, sharing_);
+    if (!shared) return std::nullopt;
+    // Mapped for reading; frames of this kind are only read.
+    auto* first = const_cast<std::byte*>(captured.bytes.data());
+    return Frame({first, captured.bytes.size()}, metadata, std::move(shared));
 }
 
 std::optional<Frame> V4l2Source::decode(const Captured& captured) try {
@@ -98,7 +150,7 @@ std::optional<Frame> V4l2Source::decode(const Captured& captured) try {
         ++counters_.damaged;
         return std::nullopt;
     }
-    auto frame = slot(mode.width, mode.height, captured.bytes.size());
+    auto frame = slot(captured.bytes.size());
     if (!frame) return std::nullopt;
     jpeg_.decode(frame->pixels());
     std::ranges::copy(captured.bytes, frame->encoded().begin());
@@ -109,12 +161,12 @@ std::optional<Frame> V4l2Source::decode(const Captured& captured) try {
 }
 
 std::optional<Frame> V4l2Source::copy(const Captured& captured) {
-    const Agreed& agreed = stream_.agreed();
-    auto frame = slot(agreed.mode.width, agreed.mode.height);
-    if (frame && !unpack(captured.bytes, agreed.stride, *frame)) {
+    auto frame = slot();
+    if (frame && !unpack(captured.bytes, stream_.agreed().stride, *frame)) {
         ++counters_.damaged;
         return std::nullopt;
     }
+    if (frame) frame->setShared(invites_);
     return frame;
 }
 

@@ -5,6 +5,7 @@
 #include "devices/sequence_counter.hpp"
 #include "devices/silence_watch.hpp"
 #include "devices/source.hpp"
+#include "devices/v4l2/camera_controls.hpp"
 #include "devices/v4l2/capture_stream.hpp"
 
 #include <memory>
@@ -16,14 +17,19 @@ namespace autostereo::devices::v4l2 {
 struct Continuity {
     SilenceWatch silence;
     std::uint64_t nextSequence = 0;
+    /// How its pictures come to the GPU; none: they are copied.
+    std::shared_ptr<PixelSharing> sharing;
 };
 
 /// A camera on V4L2 as a source. Frames with the driver's error flag, JPEGs that do not decode and
 /// buffers that are too short are dropped and counted as damaged. A camera that is gone, broken or
-/// silent is Disconnected: it has to be opened anew. Thread-bound.
+/// silent is Disconnected: it has to be opened anew. Colour whose bytes are pixels, row after row,
+/// is not copied where `sharing` says so, but lent as it lies in the driver's buffer; while too few
+/// buffers are left it is copied all the same. Thread-bound.
 class V4l2Source final : public Source {
   public:
-    V4l2Source(CaptureStream stream, double depthUnitM, std::shared_ptr<Continuity> continuity);
+    V4l2Source(CaptureStream stream, double depthUnitM, const ControlParams& controls,
+               std::shared_ptr<Continuity> continuity);
 
     [[nodiscard]] ReadResult read(TimePoint deadline) noexcept override;
     [[nodiscard]] bool rewind() noexcept override { return false; }
@@ -33,20 +39,28 @@ class V4l2Source final : public Source {
   private:
     [[nodiscard]] ReadResult silent();
     [[nodiscard]] std::optional<Frame> convert(const Captured& captured);
-    [[nodiscard]] std::optional<Frame> slot(int width, int height, std::size_t encodedBytes = 0);
+    [[nodiscard]] std::optional<Frame> slot(std::size_t encodedBytes = 0);
     [[nodiscard]] std::optional<Frame> decode(const Captured& captured);
     [[nodiscard]] std::optional<Frame> copy(const Captured& captured);
+    [[nodiscard]] std::optional<Frame> lend(const Captured& captured);
+    [[nodiscard]] FrameMetadata form() const;
+    void begin();
+    /// Other buffers, where `sharing` wants them. Throws what using the driver's own again throws.
+    void followSharing();
     void lookAtExposure(TimePoint now);
 
     CaptureStream stream_;
     const KnownFormat& format_;
     double depthUnitM_;
+    ControlParams controls_;
     std::shared_ptr<Continuity> continuity_;
     FramePool pool_{kFramesOnTheWay};
     JpegDecoder jpeg_;
     FrameClock clock_;
     SequenceCounter sequence_;
     SourceCounters counters_;
+    std::shared_ptr<PixelSharing> sharing_;       ///< none: always copied
+    std::shared_ptr<const SharedPixels> invites_; ///< what copied frames carry
     Duration exposure_{0};
     TimePoint askExposureAt_{};
 };

@@ -37,7 +37,8 @@ SurfacelessContext::SurfacelessContext(bool debug) {
     EGLint count = 0;
     if (eglChooseConfig(display, wanted.data(), &config, 1, &count) == EGL_FALSE || count == 0)
         config = EGL_NO_CONFIG_KHR;
-    // Asked to tell of resets; a driver that cannot makes no such context.
+    // Asked to tell of resets; a driver that cannot makes no such context. Those that cannot are of
+    // EGL 1.4, which knows debugging as a flag.
     for (const bool telling : {true, false}) {
         const std::array<EGLint, 11> attributes{
             EGL_CONTEXT_MAJOR_VERSION,
@@ -46,8 +47,8 @@ SurfacelessContext::SurfacelessContext(bool debug) {
             5,
             EGL_CONTEXT_OPENGL_PROFILE_MASK,
             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-            EGL_CONTEXT_OPENGL_DEBUG,
-            debug ? EGL_TRUE : EGL_FALSE,
+            telling ? EGL_CONTEXT_OPENGL_DEBUG : EGL_CONTEXT_FLAGS_KHR,
+            debug ? EGL_TRUE : EGL_FALSE, // the flag, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR, is 1, too
             telling ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY : EGL_NONE,
             EGL_LOSE_CONTEXT_ON_RESET,
             EGL_NONE};

@@ -1,5 +1,7 @@
 #include "gpu/scene/scene_block.hpp"
 
+#include "calib/disparity_law.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -24,6 +26,19 @@ void SceneBlock::set(const SceneParams& params) {
                             ? glm::dvec4(std::cos(half), std::cos(kFade * half), 0, 0)
                             : glm::dvec4(-3, -2, 0, 0); // shines all around
     }
+}
+
+SceneBlock sceneBlock(const SceneParams& look, const ScenePlacement& placement,
+                      const calib::DisplayProfile& display, double panelAspect) {
+    constexpr double kSlack = 1.01; // rounding keeps inside of the depth range
+    SceneBlock block;
+    block.set(look);
+    block.form.x = static_cast<float>(display.widthM / 2);
+    block.form.y = static_cast<float>(display.widthM / panelAspect / 2);
+    block.form.z = static_cast<float>(placement.flattening);
+    block.range = glm::dvec4(kSlack * placement.nearM, kSlack * placement.farM,
+                             calib::fanHalfWidth(display), display.viewingDistanceM);
+    return block;
 }
 
 } // namespace autostereo::gpu

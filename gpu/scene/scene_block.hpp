@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/scene/params.hpp"
+#include "gpu/scene/scene_placement.hpp"
 
 #include <glm/vec4.hpp>
 
@@ -23,5 +24,9 @@ struct SceneBlock {
     void set(const SceneParams& params);
 };
 static_assert(sizeof(SceneBlock) == 576);
+
+/// Of a scene in its place, but for viewTiles.
+[[nodiscard]] SceneBlock sceneBlock(const SceneParams& look, const ScenePlacement& placement,
+                                    const calib::DisplayProfile& display, double panelAspect);
 
 } // namespace autostereo::gpu

@@ -1,6 +1,5 @@
 #include "gpu/scene/scene_pipeline.hpp"
 
-#include "calib/disparity_law.hpp"
 #include "calib/panel_map.hpp"
 #include "gpu/layer_drawer.hpp"
 #include "gpu/views/view_synthesis.hpp"
@@ -21,19 +20,6 @@ calib::QuiltLayout searchedTexels(calib::QuiltLayout tile, int panelWidth, int p
     tile.tileWidth = std::min(2 * tile.tileWidth, std::max(tile.tileWidth, panelWidth));
     tile.tileHeight = std::min(2 * tile.tileHeight, std::max(tile.tileHeight, panelHeight));
     return tile;
-}
-
-SceneBlock blockOf(const SceneParams& look, const ScenePlacement& placement,
-                   const calib::DisplayProfile& display, double panelAspect) {
-    constexpr double kSlack = 1.01; // rounding keeps inside of the depth range
-    SceneBlock block;
-    block.set(look);
-    block.form.x = static_cast<float>(display.widthM / 2);
-    block.form.y = static_cast<float>(display.widthM / panelAspect / 2);
-    block.form.z = static_cast<float>(placement.flattening);
-    block.range = glm::dvec4(kSlack * placement.nearM, kSlack * placement.farM,
-                             calib::fanHalfWidth(display), display.viewingDistanceM);
-    return block;
 }
 
 } // namespace
@@ -64,7 +50,7 @@ ScenePipeline::ScenePipeline(const devices::mesh::MeshScene& scene, const SceneP
     : scene_(scene), look_(look), params_(params), display_(display),
       placement_(scenePlacement(extent(scene, uprightTurn(look.up)), look, display,
                                 static_cast<double>(panelWidth) / panelHeight)),
-      block_(blockOf(look, placement_, display, static_cast<double>(panelWidth) / panelHeight)),
+      block_(sceneBlock(look, placement_, display, static_cast<double>(panelWidth) / panelHeight)),
       model_(scene),
       method_(sceneMethod(params.synthesis.method, look.shading, display, scene.triangles())) {
     makeMethod(panelWidth, panelHeight);

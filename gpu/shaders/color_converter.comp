@@ -1,10 +1,16 @@
 #version 450 core
 // A camera's bytes -> R, G, B. One of YUYV, UYVY, NV12, GREY, RGB, BGR. Chroma lies beside the left
 // one of its pixels and, in NV12, between its two rows, as in MPEG-2; in between it is interpolated.
+// MARKS: where it is not the colour that was there, its block of 8 x 8 is marked.
 layout(local_size_x = 16, local_size_y = 16) in;
 
 layout(binding = 0) uniform sampler2D bytes; // one texel a byte
+#ifdef MARKS
+layout(rgba8, binding = 0) uniform image2D color;
+layout(r8ui, binding = 1) uniform writeonly uimage2D marks;
+#else
 layout(rgba8, binding = 0) uniform writeonly image2D color;
+#endif
 
 layout(std140, binding = 6) uniform ColorBlock {
     vec4 levels;  // black of Y, its gain, that of Cb and Cr
@@ -64,5 +70,11 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(color);
     if (any(greaterThanEqual(pixel, size))) return;
+#ifdef MARKS
+    vec4 before = imageLoad(color, pixel);
+#endif
     imageStore(color, pixel, vec4(clamp(convert(pixel, size), 0.0, 1.0), 1.0));
+#ifdef MARKS
+    if (imageLoad(color, pixel) != before) imageStore(marks, pixel / 8, uvec4(1u));
+#endif
 }

@@ -16,6 +16,7 @@ layout(r8ui, binding = 3) uniform writeonly uimage2D changed; // blocks of 8 x 8
 
 const int kResidualShift = 4; // the mean residual forgets in 2^4 frames
 const int kReach = 2;         // pixels: what misses a measurement seldom misses it alone
+const uint kQuarterSigma = 4u; // sigmas are in 1/16 counts, held values in 1/256
 const uint kEnough = 2u;      // pixels that make a surface, as in condition_flying
 
 // What the noise of a measurement, and of the n frames that the held value is the mean of, can do.
@@ -109,6 +110,14 @@ uvec4 update(uvec4 held, uint now) {
     return settle(held, now);
 }
 
+// While a value settles it moves every frame, by less than what it is known to: what is shown stands
+// until a quarter of sigma lies between them, or it has settled.
+bool isShownStill(uint shown, uvec4 held) {
+    bool settling = held.y > 1u && held.y < hold.y;
+    return settling && countOf(shown) != 0u &&
+           apart(countOf(shown) << 8, held.x) <= kQuarterSigma * held.w;
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(calm)))) return;
@@ -121,8 +130,9 @@ void main() {
     } else {
         held = isUsable(now) ? update(held, now) : uvec4(0u);
     }
-    uint shown = held.y > 0u ? heldPixel(held) : 0u;
-    if (imageLoad(calm, pixel).x != shown) {
+    uint last = imageLoad(calm, pixel).x;
+    uint shown = held.y > 0u ? isShownStill(last, held) ? last : heldPixel(held) : 0u;
+    if (shown != last) {
         imageStore(calm, pixel, uvec4(shown));
         imageStore(changed, pixel / 8, uvec4(1u));
     }

@@ -15,6 +15,8 @@ layout(location = 3) in vec3 normal;
 #elif defined(PER_VERTEX)
 layout(location = 2) in vec3 diffuseLight;
 layout(location = 3) in vec3 specularLight;
+#elif defined(PLAIN)
+layout(location = 2) flat in vec3 shown;
 #endif
 #if defined(DISPARITY)
 layout(location = 4) in float height;
@@ -55,6 +57,9 @@ void main() { disparity = range.z * height / (range.w - height); }
 #else
 layout(location = 0) out vec4 color;
 
+#if defined(PLAIN)
+void main() { color = vec4(shown, 1.0); }
+#else
 void main() {
     vec3 light = ownColor();
 #if defined(PER_PIXEL)
@@ -65,4 +70,5 @@ void main() {
 #endif
     color = vec4(onScreen(light + emissiveOf(numbers.x)), 1.0);
 }
+#endif
 #endif

@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <functional>
 #include <stdexcept>
 
@@ -38,7 +39,7 @@ void main() {
     float phase = edge.x * float(pixel.x) + edge.y * y + edge.w;
     vec3 phases = fract(phase + edge.z * vec3(0.0, 1.0, 2.0));
     ivec3 views = ivec3(phases * float(fan.x));
-    TilePlace place = placeInTile(pixel);
+    Place place = placeOf(pixel);
     color = vec4(samplePlace(views.x, place, 0), samplePlace(views.y, place, 1),
                  samplePlace(views.z, place, 2), 1.0);
 })";
@@ -46,7 +47,7 @@ void main() {
 constexpr const char* kFetchOnly = R"(
 layout(location = 0) out vec4 color;
 void main() {
-    TilePlace place = placeInTile(ivec2(gl_FragCoord.xy));
+    Place place = placeOf(ivec2(gl_FragCoord.xy));
     color = vec4(samplePlace(0, place, 0), samplePlace(1, place, 1), samplePlace(2, place, 2), 1.0);
 })";
 
@@ -56,7 +57,7 @@ constexpr const char* kSpreadFetch = R"(
 layout(location = 0) out vec4 color;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    TilePlace place = placeInTile(pixel);
+    Place place = placeOf(pixel);
     int k = 3 * pixel.x + pixel.y;
     color = vec4(samplePlace(k & 31, place, 0), samplePlace((k + 1) & 31, place, 1),
                  samplePlace((k + 2) & 31, place, 2), 1.0);
@@ -80,10 +81,10 @@ class Rival {
           int width, int height)
         : program_(glCreateProgram()), vertexArray_(gpu::gl::makeVertexArray()) {
         const auto vertex = shader(GL_VERTEX_SHADER, kVertex);
-        const auto fragment =
-            shader(GL_FRAGMENT_SHADER,
-                   "#version 450 core\n" +
-                       gpu::gl::shaderSource("interleaver_block.glsl", {"NEAREST"}) + body);
+        const auto fragment = shader(
+            GL_FRAGMENT_SHADER, "#version 450 core\n" +
+                                    gpu::gl::shaderSource("interleaver_block.glsl", {"NEAREST"}) +
+                                    gpu::gl::shaderSource("tile_samples.glsl", {}) + body);
         glAttachShader(program_.name(), vertex.name());
         glAttachShader(program_.name(), fragment.name());
         glLinkProgram(program_.name());
@@ -205,9 +206,13 @@ void compare(int width, int height, const gpu::AtlasLayout& layout, int rounds) 
 
 } // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 21;
     const gpu::gl::SurfacelessContext context(false);
     compare(1536, 2048, {48, {8, 6, 420, 560}}, rounds);
     compare(3840, 2160, {45, {5, 9, 819, 455}}, rounds);
+    return 0;
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
 }

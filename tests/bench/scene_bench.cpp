@@ -10,12 +10,12 @@
 #include "devices/mesh/open_mesh.hpp"
 #include "gpu/gl/context.hpp"
 #include "gpu/scene/scene_pipeline.hpp"
+#include "tests/bench/figures.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,28 +23,10 @@
 namespace {
 
 using namespace autostereo;
+using bench::cpuMs, bench::median, bench::psnrDb;
 
 constexpr double kSeconds = 1;
 constexpr int kRounds = 5;
-
-double cpuMs() {
-    std::timespec time{};
-    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
-
-double median(std::vector<double> times) {
-    std::ranges::sort(times);
-    return times[times.size() / 2];
-}
-
-double psnrDb(const gpu::RgbImage& a, const gpu::RgbImage& b) {
-    double squares = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        squares += std::pow(static_cast<double>(a.pixels[i]) - b.pixels[i], 2);
-    return 10 *
-           std::log10(255 * 255 * static_cast<double>(a.pixels.size()) / std::max(squares, 1e-9));
-}
 
 calib::DisplayProfile displayOf(int views) {
     calib::DisplayProfile display = config::loadDisplay("looking-glass-portrait");
@@ -110,8 +92,9 @@ gpu::RgbImage exactPanel(gpu::ScenePipeline& pipeline, const calib::DisplayProfi
             for (int x = 0; x < display.width; ++x)
                 for (int c = 0; c < 3; ++c) {
                     if (static_cast<int>(map.view(map.phase(x, y, c))) != view) continue;
-                    const auto at = static_cast<std::size_t>(3 * (y * display.width + x) + c);
-                    panel.pixels[at] = seen.pixels[3 * at + static_cast<std::size_t>(c)];
+                    const int at = 3 * (y * display.width + x) + c;
+                    panel.pixels[static_cast<std::size_t>(at)] =
+                        seen.pixels[3 * static_cast<std::size_t>(at) + static_cast<std::size_t>(c)];
                 }
     }
     return panel;
@@ -140,8 +123,8 @@ void measure(const devices::mesh::MeshScene& scene, int views) {
         const gpu::RgbImage picture = contender->picture();
         const double ms = median(contender->times);
         std::printf("| %d | %s | %.0f | %.2f | %.2f | %.2f | %.1f |\n", views,
-                    contender->name.c_str(), ms, base / ms, psnrDb(picture, exact),
-                    psnrDb(picture, multipass), contender->mib);
+                    contender->name.c_str(), ms, base / ms, psnrDb(picture.pixels, exact.pixels),
+                    psnrDb(picture.pixels, multipass.pixels), contender->mib);
         std::fflush(stdout);
     }
 }

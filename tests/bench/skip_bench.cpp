@@ -9,10 +9,10 @@
 #include "devices/sim/simulation.hpp"
 #include "gpu/gl/context.hpp"
 #include "gpu/pipeline.hpp"
+#include "tests/bench/figures.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <memory>
 #include <string>
@@ -21,6 +21,7 @@
 namespace {
 
 using namespace autostereo;
+using bench::cpuMs, bench::median;
 
 constexpr int kTwoSeconds = 60, kMeasured = 7; // frames
 
@@ -29,17 +30,6 @@ struct Setting {
     std::string depth, display;
     int width = 0, height = 0; ///< of the panel; 0: the display's own
 };
-
-double cpuMs() {
-    std::timespec time{};
-    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
-
-double median(std::vector<double> times) {
-    std::ranges::sort(times);
-    return times[times.size() / 2];
-}
 
 devices::Frame next(devices::Source& source) {
     return std::get<devices::Frame>(source.read(devices::TimePoint::max()));

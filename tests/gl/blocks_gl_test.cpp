@@ -2,6 +2,7 @@
 
 #include "gpu/blocks.hpp"
 #include "gpu/gl/program.hpp"
+#include "gpu/scene/line_screen_views.hpp"
 #include "gpu/scene/scene_block.hpp"
 #include "gpu/scene/scene_surfaces.hpp"
 #include "tests/support/gl_fixture.hpp"
@@ -62,6 +63,12 @@ TEST_F(BlocksGlTest, SurfacesBlock) {
     EXPECT_EQ(offsetOf(program, "lineup"), offsetof(gpu::SurfacesBlock, lineup));
     EXPECT_EQ(offsetOf(program, "span"), offsetof(gpu::SurfacesBlock, span));
     EXPECT_EQ(offsetOf(program, "backdrop"), offsetof(gpu::SurfacesBlock, backdrop));
+}
+
+TEST_F(BlocksGlTest, LineScreenBlock) {
+    const gpu::gl::Program program({"line_screen.vert", "line_screen.frag"});
+    EXPECT_EQ(offsetOf(program, "edges"), offsetof(gpu::LineScreenBlock, edges));
+    EXPECT_EQ(offsetOf(program, "depth"), offsetof(gpu::LineScreenBlock, depth));
 }
 
 TEST_F(BlocksGlTest, ColorBlock) {

@@ -37,6 +37,12 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{{"color_converter.comp"}, {"UYVY"}}, Variant{{"color_converter.comp"}, {"NV12"}},
         Variant{{"color_converter.comp"}, {"GREY"}}, Variant{{"color_converter.comp"}, {"RGB"}},
         Variant{{"color_converter.comp"}, {"BGR"}},
+        Variant{{"color_converter.comp"}, {"YUYV", "MARKS"}},
+        Variant{{"color_converter.comp"}, {"UYVY", "MARKS"}},
+        Variant{{"color_converter.comp"}, {"NV12", "MARKS"}},
+        Variant{{"color_converter.comp"}, {"GREY", "MARKS"}},
+        Variant{{"color_converter.comp"}, {"RGB", "MARKS"}},
+        Variant{{"color_converter.comp"}, {"BGR", "MARKS"}},
         Variant{{"mesh_cyclopean.vert", "mesh_depth.frag"}, {}}, Variant{{"edge_band.comp"}, {}},
         Variant{{"fill_holes.comp"}, {}}, Variant{{"background_claims.comp"}, {}},
         Variant{{"background_remember.comp"}, {}}, Variant{{"background_guide.comp"}, {}},
@@ -113,6 +119,7 @@ std::vector<Variant> scenes() {
     variants.push_back({{"stale_tiles.vert", "view_interleaver.frag"},
                         {"SEARCH", "SURFACES", "PER_PIXEL", "UPSIDE_DOWN"}});
     variants.push_back({{"full_screen.vert", "scene_reproject.frag"}, {}});
+    variants.push_back({{"line_screen.vert", "line_screen.frag"}, {}});
     variants.push_back({{"scene_peaks.comp"}, {}});
     variants.push_back({{"scene_tiles.comp"}, {}});
     variants.push_back({{"scene_tiles.comp"}, {"UPSIDE_DOWN"}});

@@ -145,7 +145,7 @@ TEST_P(DisplaysWithBands, AreLitWhereTheFormulaSays) {
     EXPECT_EQ(wrong, 0U);
 }
 
-std::string nameOf(const testing::TestParamInfo<std::string>& info) {
+std::string displaysName(const testing::TestParamInfo<std::string>& info) {
     std::string name = info.param;
     std::ranges::replace_if(
         name, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '_');
@@ -160,23 +160,23 @@ std::vector<std::string> displaysThat(Fits fits) {
     return names;
 }
 
-bool hasPhase(const calib::DisplayProfile& display) {
+bool hasPhaseLaw(const calib::DisplayProfile& display) {
     return static_cast<bool>(oracle::phaseFunction(display));
 }
-bool hasLens(const calib::DisplayProfile& display) {
+bool hasLensLaw(const calib::DisplayProfile& display) {
     return calib::affinePhase(display.law, display.views).has_value();
 }
-bool hasBands(const calib::DisplayProfile& display) {
+bool hasBandLaw(const calib::DisplayProfile& display) {
     return std::holds_alternative<calib::LineScreen>(display.law) ||
            std::holds_alternative<calib::TrackedLens>(display.law);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, DisplaysWithPhase, testing::ValuesIn(displaysThat(hasPhase)),
-                         nameOf);
-INSTANTIATE_TEST_SUITE_P(Shipped, DisplaysWithLens, testing::ValuesIn(displaysThat(hasLens)),
-                         nameOf);
-INSTANTIATE_TEST_SUITE_P(Shipped, DisplaysWithBands, testing::ValuesIn(displaysThat(hasBands)),
-                         nameOf);
+INSTANTIATE_TEST_SUITE_P(Shipped, DisplaysWithPhase, testing::ValuesIn(displaysThat(hasPhaseLaw)),
+                         displaysName);
+INSTANTIATE_TEST_SUITE_P(Shipped, DisplaysWithLens, testing::ValuesIn(displaysThat(hasLensLaw)),
+                         displaysName);
+INSTANTIATE_TEST_SUITE_P(Shipped, DisplaysWithBands, testing::ValuesIn(displaysThat(hasBandLaw)),
+                         displaysName);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(DisplaysWithBands);
 
 /// No such panel is sold; phases must not wear out before one is.

@@ -46,7 +46,8 @@ class Conditioner {
   public:
     Conditioner(const gpu::ConditionParams& params, const gpu::DepthMeshParams& range,
                 const calib::CameraModel& camera, int width, int height, double unitM = 0.001)
-        : params_(params), range_(range), unitM_(unitM), held_(width, height) {
+        : params_(params), range_(range), unitM_(unitM), held_(width, height),
+          shown_(width, height) {
         const double slope =
             std::tan(params.grazingRad) / camera.resized(width, height).intrinsics.fx;
         slope_ = std::llround(std::fmin(4096 * slope, 4096));
@@ -159,7 +160,6 @@ class Conditioner {
 
     [[nodiscard]] Measurements held(const Measurements& now) {
         Grid<Held> next = held_;
-        Measurements result(now.width, now.height);
         for (int y = 0; y < now.height; ++y)
             for (int x = 0; x < now.width; ++x) {
                 Held& held = next.at(x, y);
@@ -168,10 +168,19 @@ class Conditioner {
                 } else {
                     held = now.at(x, y) ? updated(held, *now.at(x, y)) : Held{};
                 }
-                if (held.frames > 0) result.at(x, y) = held.measurement();
+                show(held, shown_.at(x, y));
             }
         held_ = next;
-        return result;
+        return shown_;
+    }
+
+    /// While a value settles, it is shown anew where a quarter of sigma lies between.
+    void show(const Held& held, std::optional<Measurement>& shown) const {
+        const bool settling = held.frames > 1 && held.frames < params_.settleFrames;
+        if (held.frames == 0)
+            shown.reset();
+        else if (!settling || !shown || std::abs(256 * shown->count - held.value) > 4 * held.sigma)
+            shown = held.measurement();
     }
 
     [[nodiscard]] Held updated(Held held, Measurement now) const {
@@ -263,6 +272,7 @@ class Conditioner {
     double unitM_;
     std::int64_t slope_ = 0;
     Grid<Held> held_;
+    Measurements shown_;
 };
 
 } // namespace autostereo::oracle

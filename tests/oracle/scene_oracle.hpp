@@ -97,12 +97,13 @@ inline glm::dvec3 textureAt(const devices::mesh::MeshTexture& texture, const glm
     const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
     const auto texel = [&](int column, int row) {
         const auto wrapped = [](int value, int size) { return (value % size + size) % size; };
-        const int index =
-            wrapped(row, texture.height) * texture.width + wrapped(column, texture.width);
+        const auto first =
+            4 * static_cast<std::size_t>(wrapped(row, texture.height) * texture.width +
+                                         wrapped(column, texture.width));
         glm::dvec3 color;
         for (int channel = 0; channel < 3; ++channel)
             color[channel] = lightOf(
-                std::to_integer<int>(texture.rgba[static_cast<std::size_t>(4 * index + channel)]) /
+                std::to_integer<int>(texture.rgba[first + static_cast<std::size_t>(channel)]) /
                 255.0);
         return color;
     };

@@ -12,7 +12,7 @@
 namespace autostereo::test {
 namespace {
 
-constexpr int kSide = 96; ///< of square pictures: turned, they cover the same
+constexpr int kPictureSide = 96; ///< of square pictures: turned, they cover the same
 
 /// Blocks of colours, none like its neighbours, in front of which nobody can mistake up or left.
 Rgb wallpaper(int x, int y) {
@@ -25,7 +25,7 @@ Rgb wallpaper(int x, int y) {
 
 /// A near pane left of and above the middle.
 bool isPane(int x, int y) { return x >= 24 && x < 48 && y >= 30 && y < 54; }
-int depthOf(int x, int y) { return isPane(x, y) ? 1200 : 2000; }
+int paneDepth(int x, int y) { return isPane(x, y) ? 1200 : 2000; }
 
 /// Where a camera that is mounted so has the scene's pixel (x, y) in its picture: the inverse, of
 /// its own pixel.
@@ -34,7 +34,7 @@ struct Mounting {
     const char* config;
     std::pair<int, int> (*scene)(int x, int y);
 };
-constexpr int kLast = kSide - 1;
+constexpr int kLast = kPictureSide - 1;
 constexpr Mounting kMountings[] = {{"a quarter turn", "[framing]\nmounting_deg = 90\n",
                                     [](int x, int y) {
                                         return std::pair{kLast - y, x};
@@ -62,9 +62,10 @@ class FramingReplay : public testing::Test {
     /// View `view` of a scene, each pixel's colour and millimetres.
     template<class Color, class Depth>
     ColorPicture view(int number, const std::string& config, Color color, Depth depth) {
-        const std::string input = "rgbd:" + writeColor(folder / "c.png", kSide, kSide, color) +
-                                  "," + writeDepth(folder / "d.png", kSide, kSide, depth) + "," +
-                                  cameraFile(folder, kSide, kSide);
+        const std::string input =
+            "rgbd:" + writeColor(folder / "c.png", kPictureSide, kPictureSide, color) + "," +
+            writeDepth(folder / "d.png", kPictureSide, kPictureSide, depth) + "," +
+            cameraFile(folder, kPictureSide, kPictureSide);
         EXPECT_TRUE(succeeded(runProgram(calling(
             {"render", "--input", input, "--display", smallDisplay(folder), "--config",
              folder.file("config.toml", config), "--as", "views", "--output", folder / "views"}))));
@@ -89,7 +90,7 @@ double shareOff(const ColorPicture& a, const ColorPicture& b) {
 /// a pixel may fall to the other surface (measured: 0.8 %).
 TEST_F(FramingReplay, HoweverMountedThePictureIsTheSame) {
     for (const int number : {0, kSmallViews - 1}) {
-        const ColorPicture upright = view(number, "", wallpaper, depthOf);
+        const ColorPicture upright = view(number, "", wallpaper, paneDepth);
         for (const Mounting& mounting : kMountings) {
             const auto color = [&](int x, int y) {
                 const auto [sx, sy] = mounting.scene(x, y);
@@ -97,7 +98,7 @@ TEST_F(FramingReplay, HoweverMountedThePictureIsTheSame) {
             };
             const auto depth = [&](int x, int y) {
                 const auto [sx, sy] = mounting.scene(x, y);
-                return depthOf(sx, sy);
+                return paneDepth(sx, sy);
             };
             const ColorPicture turned = view(number, mounting.config, color, depth);
             EXPECT_LE(shareOff(turned, upright), 0.02) << mounting.name << ", view " << number;

@@ -79,7 +79,7 @@ TEST(Idle, WithoutColourTheLastPictureStaysForAShortTime) {
 }
 
 TEST(Idle, ASilentCameraIsMissedAndTheIdlePictureIsTheOnesOfTheConfiguration) {
-    Kiosk kiosk("idle.freeze_s = 0\nidle.picture = \"idle.png\"\nmessages.both_lost = \"\"\n");
+    Kiosk kiosk("idle.freeze_s = 0\nidle.content = \"idle.png\"\nmessages.both_lost = \"\"\n");
     (void)writeColor(kiosk.folder() / "idle.png", kSmallWidth, kSmallHeight, [](int x, int y) {
         return Rgb{static_cast<std::uint8_t>(x / 2), static_cast<std::uint8_t>(y), 77};
     });

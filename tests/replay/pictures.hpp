@@ -22,6 +22,10 @@ struct ColorPicture {
     [[nodiscard]] bool operator==(const ColorPicture&) const = default;
 };
 
+inline double psnr(const ColorPicture& a, const ColorPicture& b) {
+    return compareImages(a.view(), b.view()).psnrDb;
+}
+
 struct DepthPicture {
     int width = 0, height = 0;
     std::vector<std::uint16_t> millimetres; ///< 0: none

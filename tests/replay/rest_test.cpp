@@ -34,6 +34,9 @@ TEST(Rest, OutsideOfItsHoursThePanelIsBlackTillTheyAreChanged) {
             return std::ranges::count(rgb, 0) == static_cast<std::ptrdiff_t>(rgb.size());
         },
         milliseconds(1000 * kSlower)));
+    // It is closed before the cameras' first pair is there.
+    EXPECT_TRUE(eventually([&] { return kiosk.status().at("report").at("frames_skipped") > 0; },
+                           milliseconds(2000 * kSlower)));
     kiosk.configure("");
     ASSERT_TRUE(succeeded(kiosk.command({"reload"})));
     ASSERT_TRUE(kiosk.shows("live", milliseconds(1000)));

@@ -14,7 +14,7 @@
 namespace autostereo::test {
 namespace {
 
-constexpr const char* kDisplay = "slanted-8view-1080p";
+constexpr const char* kTunedDisplay = "slanted-8view-1080p";
 
 class TuneDisplay : public testing::Test {
   protected:
@@ -23,8 +23,8 @@ class TuneDisplay : public testing::Test {
         if (missing && required("xvfb")) FAIL() << *missing;
         if (missing) GTEST_SKIP() << *missing;
         server.emplace(1920, 1080);
-        auto call = calling({"calibrate", "display", "--keys", "--display", kDisplay, "--output",
-                             folder / "mine.toml"});
+        auto call = calling({"calibrate", "display", "--keys", "--display", kTunedDisplay,
+                             "--output", folder / "mine.toml"});
         call.environment = {"DISPLAY=" + server->display(), "WAYLAND_DISPLAY="};
         program.emplace(call);
     }
@@ -51,7 +51,7 @@ TEST_F(TuneDisplay, KeysMoveThePictureAndAreSaved) {
     if (IsSkipped()) return;
     ASSERT_TRUE(says("lens.subpixels_per_lens")) << program->err();
     const double start =
-        std::get<calib::VanBerkelLens>(config::loadDisplay(kDisplay).law).subpixelsPerLens;
+        std::get<calib::VanBerkelLens>(config::loadDisplay(kTunedDisplay).law).subpixelsPerLens;
     server->press({"Right", "Right", "Right", "u", "Next", "Left"}); // +2 spans, -1 tenth
     server->press({"Down", "Down", "Right"});
     ASSERT_TRUE(says("lens.offset_subpixels"));

@@ -2,6 +2,7 @@
 // head tracker sends them.
 
 #include "tests/replay/kiosk.hpp"
+#include "tests/replay/tracked_panel.hpp"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -13,72 +14,29 @@
 namespace autostereo::test {
 namespace {
 
-/// A quarter of the Personal Varrier's panel each way, with the same barrier.
-constexpr const char* kBarrier = R"(type = "line_screen"
-base = "personal-varrier-30"
-model = "Small tracked barrier"
-[panel]
-width = 640
-height = 400
-width_mm = 160.34
-[quilt]
-columns = 2
-rows = 1
-tile_width = 320
-tile_height = 400
-)";
 constexpr const char* kLeftEye = "-0.11,0.02,0.6";
 constexpr const char* kRightEye = "-0.047,0.02,0.6";
 
 class ViewerTest : public testing::Test {
   protected:
     void SetUp() override {
-        display = folder.file("barrier.toml", kBarrier);
         std::string trace;
         for (int sample = 0; sample < 120; ++sample)
             trace += std::to_string(sample / 60.0) + "," + kLeftEye + "," + kRightEye + "\n";
-        static_cast<void>(folder.file("trace.csv", trace));
+        static_cast<void>(panel.folder().file("trace.csv", trace));
     }
-    /// The panel after a second of a room where nothing moves.
-    ColorPicture panel(const std::string& config) {
-        const std::string file = folder / "panel.png";
-        EXPECT_TRUE(succeeded(runProgram(calling(
-            {"run", "--config", folder.file("viewer.toml", config), "--input", input, "--display",
-             display, "--output", "offscreen", "--speed", "max", "--snapshot", file}))));
-        return readColor(file);
-    }
-    /// What an eye sees of it.
-    ColorPicture seen(const std::string& eye) {
-        EXPECT_TRUE(succeeded(
-            runProgram(calling({"look", "--panel", folder / "panel.png", "--display", display,
-                                "--eye", eye, "--output", folder / "seen.png"}))));
-        return readColor(folder / "seen.png");
-    }
-    /// What that eye should see. Where eyes are followed, three times the depth budget of 0.05 is
-    /// kept beyond either edge of the panel: the scene is 1.3 / 1.1 larger.
-    ColorPicture view(const std::string& eye, double zoom = 1.3 / 1.1) {
-        const std::string config =
-            folder.file("zoom.toml", "framing.zoom = " + std::to_string(zoom) + "\n");
-        EXPECT_TRUE(succeeded(runProgram(
-            calling({"render", "--config", config, "--input", input, "--display", display, "--as",
-                     "view", "--eye", eye, "--output", folder / "view.png"}))));
-        return readColor(folder / "view.png");
-    }
-    TempFolder folder;
-    std::string display;
+    /// A second of a room where nothing moves.
+    void run(const std::string& config) { panel.run(input, config, {"--speed", "max"}); }
+    TrackedPanel panel;
     const std::string input = std::string(kSmallRoom) + "&noise=off&frames=30";
 };
 
-double psnr(const ColorPicture& a, const ColorPicture& b) {
-    return compareImages(a.view(), b.view()).psnrDb;
-}
-
 TEST_F(ViewerTest, EachEyeOfARecordedViewerSeesItsOwnView) {
-    static_cast<void>(panel(""));
-    const double unfollowed = psnr(seen(kLeftEye), view(kLeftEye, 1));
-    static_cast<void>(panel("[viewer]\nsource = \"file:trace.csv\"\ndelay_ms = 0\n"));
-    const ColorPicture left = seen(kLeftEye), right = seen(kRightEye);
-    const ColorPicture leftView = view(kLeftEye), rightView = view(kRightEye);
+    run("");
+    const double unfollowed = psnr(panel.seen(kLeftEye), panel.view(kLeftEye, 1));
+    run("[viewer]\nsource = \"file:trace.csv\"\ndelay_ms = 0\n");
+    const ColorPicture left = panel.seen(kLeftEye), right = panel.seen(kRightEye);
+    const ColorPicture leftView = panel.view(kLeftEye), rightView = panel.view(kRightEye);
     std::printf("left eye %.1f dB (%.1f of the other's view, %.1f not followed), right %.1f dB\n",
                 psnr(left, leftView), psnr(left, rightView), unfollowed, psnr(right, rightView));
     EXPECT_GT(psnr(left, leftView), psnr(left, rightView) + 3);
@@ -88,10 +46,11 @@ TEST_F(ViewerTest, EachEyeOfARecordedViewerSeesItsOwnView) {
 
 /// A frame for a display without eyes is as good without a viewer; that is said.
 TEST_F(ViewerTest, ADisplayForEverybodyFollowsNobody) {
-    const auto result = runProgram(calling(
-        {"run", "--config", folder.file("viewer.toml", "[viewer]\nsource = \"file:trace.csv\"\n"),
-         "--input", input, "--display", smallDisplay(folder), "--output", "offscreen", "--speed",
-         "max"}));
+    const auto result = runProgram(
+        calling({"run", "--config",
+                 panel.folder().file("viewer.toml", "[viewer]\nsource = \"file:trace.csv\"\n"),
+                 "--input", input, "--display", smallDisplay(panel.folder()), "--output",
+                 "offscreen", "--speed", "max"}));
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_NE(result.err.find("shows the same to every eye"), std::string::npos) << result.err;
 }

@@ -10,7 +10,7 @@
 namespace autostereo::test {
 namespace {
 
-constexpr const char* kDisplay = "slanted-8view-1080p";
+constexpr const char* kShownDisplay = "slanted-8view-1080p";
 
 class Window : public testing::Test {
   protected:
@@ -24,8 +24,8 @@ class Window : public testing::Test {
     /// One frame, over and over: the window's picture stays.
     [[nodiscard]] std::vector<std::string> still(std::vector<std::string> more) const {
         std::vector<std::string> arguments{
-            "run",       "--input", std::string(kSmallRoom) + "&noise=off&frames=1",
-            "--display", kDisplay,  "--speed",
+            "run",       "--input",     std::string(kSmallRoom) + "&noise=off&frames=1",
+            "--display", kShownDisplay, "--speed",
             "max"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return arguments;

@@ -23,8 +23,6 @@ constexpr UsbStream::Shape kColorStream{0x83, 8, 0, 32768};
 /// Between looks at the stop token.
 constexpr auto kSlice = milliseconds(50);
 
-TimePoint now() { return std::chrono::steady_clock::now(); }
-
 /// A late reader loses packets, a late decoder only pictures. Where the system does not permit it,
 /// the transfers on their way have to do.
 void becomeUrgent() {
@@ -56,8 +54,8 @@ void Unit::startStreams() try {
         *link_, kDepthStream,
         [this](std::span<const std::byte> bytes, bool intact) { takeDepth(bytes, intact); }));
     // Five of these periods: starting anew takes longer than a program that was kept waiting.
-    patience_->depth.start(now(), milliseconds(100));
-    patience_->color.start(now(), milliseconds(133)); // 15 pictures a second in the dark
+    patience_->depth.start(steadyNow(), milliseconds(100));
+    patience_->color.start(steadyNow(), milliseconds(133)); // 15 pictures a second in the dark
 } catch (const DeviceError&) {
     shutDown();
     throw;
@@ -95,7 +93,7 @@ void Unit::run(const std::stop_token& stop) {
 
 void Unit::watchSilence() {
     if (link_->lost()) return;
-    const TimePoint time = now();
+    const TimePoint time = steadyNow();
     for (SilenceWatch* watch : {&patience_->depth, &patience_->color}) {
         if (time < watch->deadline()) continue;
         watch->expired();
@@ -106,7 +104,7 @@ void Unit::watchSilence() {
 
 void Unit::takeDepth(std::span<const std::byte> packet, bool intact) {
     // Most are empty, and asking for the time costs more than they do.
-    const TimePoint arrived = packet.empty() ? TimePoint{} : now();
+    const TimePoint arrived = packet.empty() ? TimePoint{} : steadyNow();
     if (!packet.empty()) patience_->depth.frame(arrived, Duration(0));
     if (tap_) tap_->depth(packet, intact, arrived);
     const bool complete = packets_.depth(packet, intact, arrived, nextDepth_);
@@ -116,7 +114,7 @@ void Unit::takeDepth(std::span<const std::byte> packet, bool intact) {
 }
 
 void Unit::takeColor(std::span<const std::byte> packet, bool intact) {
-    const TimePoint arrived = now();
+    const TimePoint arrived = steadyNow();
     if (!packet.empty()) patience_->color.frame(arrived, Duration(0));
     if (tap_) tap_->color(packet, intact, arrived);
     const bool complete = packets_.color(packet, intact, arrived, nextColor_);
@@ -140,18 +138,18 @@ void Unit::takeNewTap() {
     const std::lock_guard lock(mutex_);
     if (!newTap_) return;
     tap_ = std::move(newTap_);
-    tap_->start(facts_.pages, now());
+    tap_->start(facts_.pages, steadyNow());
 }
 
 void Unit::shutDown() try {
     constexpr auto kLongest = std::chrono::seconds(2);
     for (const auto& stream : streams_)
         stream->cancel();
-    const TimePoint end = now() + kLongest;
+    const TimePoint end = steadyNow() + kLongest;
     const auto idle = [&] {
         return std::ranges::all_of(streams_, [](const auto& stream) { return stream->idle(); });
     };
-    while (!idle() && now() < end)
+    while (!idle() && steadyNow() < end)
         link_->handleEvents(kSlice);
     if (!link_->lost() && idle()) UnitControl(*link_).stop();
     streams_.clear();

@@ -8,8 +8,6 @@ namespace autostereo::devices::kinect2 {
 
 namespace {
 
-TimePoint now() { return std::chrono::steady_clock::now(); }
-
 /// What either source does until `deadline`; `frames` makes one of what was taken, or counts.
 template<class T, class Frames>
 ReadResult readFrom(Unit& unit, Latest<T>& latest, T& raw, TimePoint deadline, Frames& frames) try {
@@ -19,7 +17,7 @@ ReadResult readFrom(Unit& unit, Latest<T>& latest, T& raw, TimePoint deadline, F
         } else if (unit.lost()) {
             return Disconnected{unit.whyLost()};
         }
-    } while (now() < deadline);
+    } while (steadyNow() < deadline);
     return Timeout{};
 } catch (const std::exception& error) {
     return Disconnected{std::string("kinect2: ") + error.what()};

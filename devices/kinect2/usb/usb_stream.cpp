@@ -17,8 +17,6 @@ namespace {
 constexpr int kMostFailures = 64;
 constexpr auto kInterval = std::chrono::microseconds(125); // USB 3, bInterval 1
 
-TimePoint now() { return std::chrono::steady_clock::now(); }
-
 /// Memory for one transfer: the kernel's own, which it fills without clearing it first and copying
 /// it afterwards, else ours.
 class TransferMemory {
@@ -106,9 +104,9 @@ UsbStream::~UsbStream() {
 }
 
 void UsbStream::submit(Transfer& transfer) {
-    const TimePoint before = now();
+    const TimePoint before = steadyNow();
     const int answer = libusb_submit_transfer(&transfer.raw());
-    transfer.late = answer == 0 && watch_ && watch_->submitted(before, now());
+    transfer.late = answer == 0 && watch_ && watch_->submitted(before, steadyNow());
     underruns_ += transfer.late ? 1 : 0;
     if (answer == LIBUSB_ERROR_NO_DEVICE) link_.lose("it was unplugged");
     transfer.onItsWay = answer == 0;
@@ -116,7 +114,7 @@ void UsbStream::submit(Transfer& transfer) {
 }
 
 void UsbStream::revive() {
-    const TimePoint time = now();
+    const TimePoint time = steadyNow();
     if (watch_ && !link_.somethingEnded()) watch_->noneEnded(time, onTheirWay_);
     for (const auto& transfer : transfers_)
         if (!transfer->onItsWay && !cancelled_ && !link_.lost()) submit(*transfer);
@@ -162,7 +160,7 @@ void UsbStream::deliver(Transfer& transfer) {
 
 void UsbStream::countFailure(int status) {
     sink_({}, false);
-    if (watch_) watch_->failed(now());
+    if (watch_) watch_->failed(steadyNow());
     if (status == LIBUSB_TRANSFER_STALL) link_.lose("it stopped a stream");
     if (++failures_ > kMostFailures) link_.lose("nothing comes through the bus any more");
 }

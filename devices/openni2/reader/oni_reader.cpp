@@ -1,7 +1,8 @@
 // usage: autostereo-oni-reader FILE.oni depth|color
 // Reads one stream of an OpenNI2 recording and writes its frames to standard output, in the form of
 // devices/openni2/oni_wire.hpp. A process of its own, because the library's player may crash or
-// hang at the end of a file. Exit status 0: all frames; 1: see standard error.
+// hang at the end of a file. Exit status 0: all frames; 1: see standard
+// output where nothing came, else standard error.
 
 #include "devices/input.hpp"
 #include "devices/openni2/oni_wire.hpp"
@@ -9,6 +10,8 @@
 
 #include <chrono>
 #include <cstdio>
+#include <exception>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -38,15 +41,24 @@ void writeFrame(const Frame& frame) {
     write(std::as_bytes(frame.amplitude()));
 }
 
-int readAll(const std::string& file, Sensor main) {
+/// Or says why not, where the parent reads it.
+std::unique_ptr<Device> openRecording(const std::string& file, Sensor main) try {
     DeviceRequest request;
     request.uri = file;
     request.sensors = {main};
     if (main == Sensor::Depth) request.sensors.push_back(Sensor::Infrared);
     request.recording = true;
     auto device = std::make_unique<Device>(request);
+    if (device->stream(main) == nullptr) throw DeviceError("it has no such stream", true);
+    return device;
+} catch (const std::exception& error) {
+    std::fprintf(stdout, "%s\n", error.what());
+    std::fflush(stdout);
+    _exit(1);
+}
+
+int readAll(std::unique_ptr<Device> device, Sensor main) {
     const StreamShape* shape = device->stream(main);
-    if (shape == nullptr) throw DeviceError(file + " has no such stream", true);
     const int frames = shape->frames;
     writeHeader(OniStreamHeader{OniStreamHeader::kMagic, static_cast<std::int32_t>(shape->format),
                                 shape->width, shape->height, shape->fps, frames, shape->depthUnitM,
@@ -73,7 +85,8 @@ int main(int argc, char** argv) try {
         std::fputs("usage: autostereo-oni-reader FILE.oni depth|color\n", stderr);
         return 2;
     }
-    const int status = readAll(argv[1], stream == "depth" ? Sensor::Depth : Sensor::Color);
+    const Sensor sensor = stream == "depth" ? Sensor::Depth : Sensor::Color;
+    const int status = readAll(openRecording(argv[1], sensor), sensor);
     _exit(status); // the library may crash while it goes
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -7,25 +7,13 @@
 # that must be on time). Of the environment the program gets what is named below.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
+source "$here/boot.sh"
 passed_on='^(AUTOSTEREO_|GTEST_|ASAN_|UBSAN_|TSAN_|LIBGL_|XDG_CACHE_HOME)'
 
 program=$(command -v "${1:-}") || { echo "usage: run.sh PROGRAM [arguments]: no program '${1:-}'"; exit 2; }
 
-kernel=$("$here/build_kernel.sh") || {
-    code=$?
-    # Where the kernel can be built a test has no excuse to skip.
-    [[ $code != 77 || ,${AUTOSTEREO_REQUIRE:-}, != *,device,* ]] || code=1
-    exit $code
-}
 command -v busybox >/dev/null || { echo "skipped: no busybox here (package busybox)"; exit 77; }
-
-# The guest's memory is a file; one in memory is faster where there is room for it.
-memory_mib=2048 memory_folder=${TMPDIR:-/tmp}
-if (($(df --output=avail -m /dev/shm 2>/dev/null | tail -n 1 || echo 0) > memory_mib)); then
-    memory_folder=/dev/shm
-fi
-exchange=$(mktemp -d -p "$memory_folder")
-trap 'rm -rf "$exchange"' EXIT
+prepare_guest
 {
     while read -r name; do
         [[ ! $name =~ $passed_on ]] || printf 'export %s=%q\n' "$name" "${!name}"
@@ -40,12 +28,8 @@ trap 'rm -rf "$exchange"' EXIT
 
 urgent=()
 [[ ${AUTOSTEREO_GUEST_URGENT:-0} != 1 ]] || urgent=(chrt --rr 1)
-TMPDIR=$memory_folder timeout --foreground -k 5 "${AUTOSTEREO_GUEST_SECONDS:-300}" \
-    "${urgent[@]}" "$kernel" mem=${memory_mib}M root=/dev/root rootfstype=hostfs rootflags=/ ro init="$here/init.sh" \
-    exchange="$exchange" uml_dir="$exchange/" con=null con0=fd:0,fd:1 console=tty0 quiet \
-    vivid.n_devs=1 vivid.node_types=0x1 vivid.num_inputs=1 vivid.input_types=0 \
-    </dev/null 2>&1 | grep -v --line-buffered \
-    -e '^Failed to initialize ubd' -e '^reboot: System halted' || true
+boot_guest 300 / "$here/init.sh" "${urgent[@]}" | grep -v --line-buffered \
+    -e '^Failed to initialize ubd' -e 'reboot: ' || true
 if [[ ! -s $exchange/status ]]; then
     echo "the guest ended without a status (killed after ${AUTOSTEREO_GUEST_SECONDS:-300} s?)"
     exit 1

@@ -20,8 +20,6 @@ using devices::Source;
 
 constexpr double kSlowFps = 7.5; ///< so that other programs on this machine matter less
 
-std::chrono::steady_clock::time_point now() { return std::chrono::steady_clock::now(); }
-
 TEST_F(Kinect2Test, LostPacketsCostFramesAndNothingElse) {
     for (const double share : {0.0001, 0.001, 0.01, 0.05}) {
         plugIn(kSlowFps);
@@ -31,9 +29,9 @@ TEST_F(Kinect2Test, LostPacketsCostFramesAndNothingElse) {
         color.lose = share;
         setFaults(depth, color);
         int good = 0, misread = 0, colors = 0;
-        const auto end = now() + (fullCampaign() ? 20s : 3s);
+        const auto end = devices::steadyNow() + (fullCampaign() ? 20s : 3s);
         std::string why;
-        while (now() < end && why.empty()) {
+        while (devices::steadyNow() < end && why.empty()) {
             for (Source* source : {input.depth.get(), input.color.get()}) {
                 const devices::Frame frame = nextFrame(*source, &why, 100ms);
                 if (frame.empty()) continue;
@@ -66,7 +64,7 @@ TEST_F(Kinect2Test, CutPacketsAreSeen) {
     faults.truncate = 0.004; // every third frame stays whole
     setFaults(faults, {});
     int good = 0;
-    for (const auto end = now() + 3s; now() < end;) {
+    for (const auto end = devices::steadyNow() + 3s; devices::steadyNow() < end;) {
         const devices::Frame frame = nextFrame(*input.depth, nullptr, 100ms);
         if (frame.empty()) continue;
         ++good;
@@ -87,7 +85,8 @@ TEST_F(Kinect2Test, HalvesAroundAnUnderrunAreNotJoined) {
     for (int i = 0; i < holds; ++i) {
         // Longer than the transfers that are on their way, 48 ms.
         ASSERT_TRUE(holdThread("kinect2-usb", 70ms));
-        for (const auto end = now() + std::chrono::milliseconds(betweenMs(random)); now() < end;) {
+        for (const auto end = devices::steadyNow() + std::chrono::milliseconds(betweenMs(random));
+             devices::steadyNow() < end;) {
             const devices::Frame frame = nextFrame(*input.depth, nullptr, 20ms);
             if (!frame.empty()) ++(expectedPictures().find(frame) ? good : misread);
         }
@@ -113,13 +112,14 @@ class Feed {
     /// How long until a pair comes whose both frames are right; nothing: none did.
     [[nodiscard]] std::optional<std::chrono::milliseconds>
     nextPair(std::chrono::milliseconds patience) {
-        const auto begin = now();
-        while (now() < begin + patience) {
+        const auto begin = devices::steadyNow();
+        while (devices::steadyNow() < begin + patience) {
             const auto pair = feed_.next(100ms);
             if (!pair) continue;
             EXPECT_TRUE(expectedPictures().find(pair->depth));
             EXPECT_TRUE(expectedPictures().find(pair->color));
-            return std::chrono::duration_cast<std::chrono::milliseconds>(now() - begin);
+            return std::chrono::duration_cast<std::chrono::milliseconds>(devices::steadyNow() -
+                                                                         begin);
         }
         return std::nullopt;
     }
@@ -152,7 +152,8 @@ TEST_F(Kinect2Test, ComesBackWheneverTheCameraIsPulled) {
             usbip::Faults faults;
             faults.unplugAfter = random() % 200;
             setFaults(faults, {});
-            for (const auto end = now() + 1s; plug->plugged() && now() < end;)
+            for (const auto end = devices::steadyNow() + 1s;
+                 plug->plugged() && devices::steadyNow() < end;)
                 std::this_thread::sleep_for(2ms);
         }
         plug.reset();
@@ -202,9 +203,9 @@ TEST_F(Kinect2Test, SilenceIsALoss) {
 TEST_F(Kinect2Test, ACameraThatStillWakesUpIsWaitedFor) {
     plugIn(kSlowFps);
     camera->sleepFor(4);
-    const auto started = now();
+    const auto started = devices::steadyNow();
     const Input input = devices::openInput("kinect2:");
-    EXPECT_GE(now() - started, 400ms);
+    EXPECT_GE(devices::steadyNow() - started, 400ms);
     EXPECT_FALSE(nextFrame(*input.depth).empty());
 }
 

@@ -3,7 +3,6 @@
 #include "devices/kinect2/usb/find_units.hpp"
 #include "devices/kinect2/usb/unit_sources.hpp"
 #include "devices/replay/jpeg_decoder.hpp"
-#include "tests/device/uvc/jpeg_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +19,6 @@ namespace autostereo::test {
 using namespace devices::kinect2;
 
 namespace {
-
-Kinect2Show makeShow() {
-    Kinect2Show show;
-    show.unit = inventedUnit();
-    std::mt19937_64 random(20);
-    for (std::size_t i = 0; i < kExposures; ++i) {
-        show.exposures.push_back(expose(
-            show.unit, [i](int x, int y) { return showedPoint(i, x, y); }, 0, random));
-        show.jpegs.push_back(jpegPicture(1920, 1080, static_cast<unsigned>(i)));
-    }
-    return show;
-}
 
 /// Row by row from the other end.
 template<class T, class Get>
@@ -86,19 +73,6 @@ std::optional<std::size_t> position(const Pictures& pictures, const Picture& pic
 }
 
 } // namespace
-
-LitPoint showedPoint(std::size_t exposure, int x, int y) {
-    const int block = x / 64 + y / 53 + 3 * static_cast<int>(exposure);
-    const double depth = 800 + 400 * (block % 8);
-    return {depth, std::min(1500.0, 1.6e9 / (depth * depth))};
-}
-
-Kinect2Show stairsShow(double fps) {
-    static const Kinect2Show kShow = makeShow();
-    Kinect2Show show = kShow;
-    show.fps = fps;
-    return show;
-}
 
 const ExpectedPictures& expectedPictures() {
     static const ExpectedPictures kExpected = makeExpected();

@@ -2,7 +2,7 @@
 
 #include "devices/input.hpp"
 #include "devices/kinect2/phase_decoder.hpp"
-#include "tests/device/tof/kinect2_camera.hpp"
+#include "tests/device/tof/stairs_show.hpp"
 #include "tests/device/usbip/plug.hpp"
 
 #include <gtest/gtest.h>
@@ -13,15 +13,6 @@
 #include <string>
 
 namespace autostereo::test {
-
-inline constexpr std::size_t kExposures = 3;
-
-/// Blocks of 64 x 53 pixels from 0.8 to 3.6 m, light falling with the square of the distance; each
-/// exposure's blocks lie otherwise.
-[[nodiscard]] LitPoint showedPoint(std::size_t exposure, int x, int y);
-
-/// What the camera shows, at that rate; made once.
-[[nodiscard]] Kinect2Show stairsShow(double fps);
 
 /// What the source has to make of each exposure and JPEG, in the program's own frames: columns the
 /// right way round, counts of depth, amplitudes, RGBA.

@@ -9,14 +9,23 @@
 #include "devices/replay/image_files.hpp"
 #include "tests/device/kinect2/kinect2_fixture.hpp"
 #include "tests/oracle/panel_differences.hpp"
+#include "tests/support/data.hpp"
 #include "tests/support/gl_fixture.hpp"
 #include "tests/support/gl_scene.hpp"
 #include "tests/support/gl_search_input.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/scratch_folder.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include <sys/mount.h>
 
 namespace autostereo::test {
 namespace {
@@ -131,12 +140,89 @@ TEST_F(Kinect2Test, TheProgramRecordsBelowTheDecoder) {
     EXPECT_NE(result.err.find("camera.raw: "), std::string::npos) << result.err;
     for (const std::string& file : {raw, show}) {
         const devices::Input input = devices::openInput(file);
+        ASSERT_TRUE(input.depth && input.color) << file << ": " << input.description << '\n'
+                                                << result.err;
         const devices::Frame depth = nextFrame(*input.depth), color = nextFrame(*input.color);
         ASSERT_FALSE(depth.empty() || color.empty()) << file;
         EXPECT_TRUE(expectedPictures().find(depth)) << file;
     }
     call.arguments = {"record", "--input", raw, "--output", folder / "m.mkv", "--record-raw", raw};
     EXPECT_EQ(runProgram(call).exitCode, 2) << "it would be written over";
+}
+
+/// A disk of so many MiB.
+class SmallDisk {
+  public:
+    SmallDisk(std::string folder, int mib) : folder_(std::move(folder)) {
+        std::filesystem::create_directory(folder_);
+        const std::string size = "size=" + std::to_string(mib) + "m";
+        mounted_ = mount("small", folder_.c_str(), "tmpfs", 0, size.c_str()) == 0;
+    }
+    SmallDisk(const SmallDisk&) = delete;
+    SmallDisk& operator=(const SmallDisk&) = delete;
+    ~SmallDisk() {
+        if (mounted_) umount2(folder_.c_str(), MNT_DETACH);
+    }
+    [[nodiscard]] bool mounted() const { return mounted_; }
+
+  private:
+    std::string folder_;
+    bool mounted_ = false;
+};
+
+class FullDiskTest : public Kinect2Test {
+  protected:
+    /// Runs the program with a disk that fills up before the first picture is shown.
+    [[nodiscard]] ProgramResult run(std::vector<std::string> arguments) const {
+        ProgramCall call;
+        call.program = AUTOSTEREO_PROGRAM;
+        call.arguments = std::move(arguments);
+        for (const std::string& word :
+             {std::string("--input"), std::string("kinect2:"), std::string("--record-raw"), raw})
+            call.arguments.push_back(word);
+        call.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
+        ProgramResult result = runProgram(call);
+        ended = result.err.find("cannot record to " + raw +
+                                ": No space left on device: the recording ends here");
+        EXPECT_NE(ended, std::string::npos) << result.err;
+        return result;
+    }
+
+    ScratchFolder folder;
+    std::string raw = folder / "disk/camera.raw";
+    SmallDisk disk{folder / "disk", 12};
+    mutable std::size_t ended = 0; ///< where the message stands
+};
+
+TEST_F(FullDiskTest, TheOtherRecordingGoesOn) {
+    ASSERT_TRUE(disk.mounted());
+    plugIn(5);
+    const std::string show = folder / "show.mkv";
+    const ProgramResult result = run({"record", "--frames", "5", "--output", show});
+    EXPECT_EQ(result.exitCode, 1) << "not all that was asked for was recorded: " << result.err;
+    for (const std::string& file : {raw, show}) {
+        const devices::Input input = devices::openInput(file);
+        const devices::Frame depth = nextFrame(*input.depth);
+        ASSERT_FALSE(depth.empty()) << file;
+        EXPECT_TRUE(expectedPictures().find(depth)) << file;
+    }
+}
+
+// The guest takes a minute for a picture beside a camera that never waits.
+TEST_F(FullDiskTest, ThePictureGoesOn) {
+    if (!fullCampaign()) GTEST_SKIP() << "only in full campaigns (tests/run --full)";
+    ASSERT_TRUE(disk.mounted());
+    plugIn(5);
+    const std::string report = folder / "r.json";
+    const ProgramResult result = run({"run", "--config", folder.write("c.toml", kConfig),
+                                      "--display", folder.write("small.toml", kDisplay), "--output",
+                                      "offscreen", "--frames", "1", "--report", report});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NE(result.err.find("panel: live", ended), std::string::npos)
+        << "the first picture comes after that: " << result.err;
+    std::ifstream in(report);
+    const nlohmann::json accounts = nlohmann::json::parse(in);
+    EXPECT_EQ(accounts.at("frames_presented").get<int>(), 1);
 }
 
 } // namespace

@@ -9,6 +9,17 @@
 
 namespace autostereo::test {
 
+/// Waits until something is so, for at most two seconds.
+template<class Condition>
+[[nodiscard]] bool within2s(const Condition& condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return true;
+}
+
 /// The one stream of an input, with how it is opened again.
 struct Stream {
     std::unique_ptr<devices::Source> source;
@@ -35,18 +46,18 @@ struct Stream {
         }
         return {};
     }
+    /// Whether it can be opened again within two seconds; then it is.
+    [[nodiscard]] bool opensAgain() {
+        return within2s([&] {
+            try {
+                source = reopen();
+                return true;
+            } catch (const devices::DeviceError&) {
+                return false;
+            }
+        });
+    }
     std::string lost;
 };
-
-/// Waits until something is so, for at most two seconds.
-template<class Condition>
-[[nodiscard]] bool within2s(const Condition& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return true;
-}
 
 } // namespace autostereo::test

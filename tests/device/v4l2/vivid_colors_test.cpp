@@ -1,16 +1,11 @@
 // The kernel's test pattern camera in every format that we take: its colours come out as they are
 // defined, and sizes and rates are those that the driver agreed to.
 
-#include "devices/frame_pool.hpp"
-#include "gpu/frame_uploader.hpp"
-#include "tests/device/v4l2/reading.hpp"
-#include "tests/device/v4l2/vivid.hpp"
+#include "tests/device/v4l2/vivid_gl_fixture.hpp"
 #include "tests/oracle/color_oracle.hpp"
-#include "tests/support/gl_fixture.hpp"
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace autostereo::test {
@@ -45,36 +40,17 @@ std::vector<Case> cases() {
     return all;
 }
 
-class VividColorsTest : public GlTest {
+class VividColorsTest : public VividGlTest {
   protected:
-    void SetUp() override {
-        if (!Vivid::there()) GTEST_SKIP() << "no vivid here: run in the guest";
-        GlTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
-        Vivid::reset();
-        uploader.emplace();
-    }
-    void TearDown() override {
-        uploader.reset();
-        GlTest::TearDown();
-    }
-    /// Through the program's own conversion: RGBA, top row first.
-    std::vector<std::uint8_t> converted(devices::Frame color) {
-        devices::FramePool pool(1);
-        devices::RgbdFrame frame;
-        frame.depth = *pool.acquire({PixelFormat::Depth16, 4, 4});
-        frame.color = std::move(color);
-        std::vector<std::uint8_t> rgba(4 * frame.color.pixelCount());
-        uploader->upload(frame);
-        glPixelStorei(GL_PACK_ALIGNMENT, 1);
-        glGetTextureImage(uploader->color().name(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                          static_cast<GLsizei>(rgba.size()), rgba.data());
-        return rgba;
+    /// Through the program's own conversion.
+    Rgba converted(devices::Frame color) {
+        devices::RgbdFrame pair;
+        pair.color = std::move(color);
+        upload(*uploader, pair);
+        return seen(*uploader);
     }
     static void expectBar(const oracle::ColorFrame& frame, const std::vector<std::uint8_t>& rgba,
                           std::size_t bar, int y);
-
-    std::optional<gpu::FrameUploader> uploader; ///< needs the context
 };
 
 /// White, yellow, cyan, green, magenta, red, blue, black; three quarters of 255.

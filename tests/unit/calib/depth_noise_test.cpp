@@ -13,18 +13,19 @@ namespace {
 using devices::sim::TofSample;
 using devices::sim::TofSensor;
 
-struct Picture {
+struct NoisyPicture {
     std::vector<std::uint16_t> depth, amplitude;
 };
 
 constexpr int kWidth = 320, kHeight = 288;
 
-std::vector<Picture> stills(const std::vector<TofSample>& exact, int frames, bool noise = true) {
+std::vector<NoisyPicture> stills(const std::vector<TofSample>& exact, int frames,
+                                 bool noise = true) {
     const TofSensor sensor(kWidth, kHeight, 7, noise);
-    std::vector<Picture> pictures;
+    std::vector<NoisyPicture> pictures;
     for (int frame = 0; frame < frames; ++frame) {
-        Picture picture{std::vector<std::uint16_t>(exact.size()),
-                        std::vector<std::uint16_t>(exact.size())};
+        NoisyPicture picture{std::vector<std::uint16_t>(exact.size()),
+                             std::vector<std::uint16_t>(exact.size())};
         sensor.measure(exact, static_cast<std::uint64_t>(frame) + 1, picture.depth,
                        picture.amplitude);
         pictures.push_back(std::move(picture));
@@ -32,9 +33,10 @@ std::vector<Picture> stills(const std::vector<TofSample>& exact, int frames, boo
     return pictures;
 }
 
-std::vector<StillFrame> asFrames(const std::vector<Picture>& pictures, bool amplitude = true) {
+std::vector<StillFrame> asFrames(const std::vector<NoisyPicture>& pictures, bool amplitude = true) {
     std::vector<StillFrame> frames;
-    for (const Picture& picture : pictures)
+    frames.reserve(pictures.size());
+    for (const NoisyPicture& picture : pictures)
         frames.push_back({picture.depth, amplitude
                                              ? std::span<const std::uint16_t>(picture.amplitude)
                                              : std::span<const std::uint16_t>{}});
@@ -46,7 +48,8 @@ std::vector<TofSample> staircase(double reflectance) {
     std::vector<TofSample> exact;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
-            const double z = 0.6 + 3.4 * (x / 20) / 15.0;
+            const int step = x / 20;
+            const double z = 0.6 + 3.4 * step / 15.0;
             exact.push_back({static_cast<float>(z), devices::sim::tofAmplitude(reflectance, 1, z)});
         }
     return exact;
@@ -92,7 +95,7 @@ TEST(DepthNoise, SaysWhatAnUnsuitableSceneCannotTell) {
 
 TEST(DepthNoise, EdgesAndFlyingPixelsDoNotPullIt) {
     devices::Input input = devices::sim::openSimulation("sim:room?depth=320x288&color=64x36");
-    std::vector<Picture> pictures;
+    std::vector<NoisyPicture> pictures;
     for (int i = 0; i < 12; ++i) {
         const auto frame = std::get<devices::Frame>(input.depth->read(devices::TimePoint::max()));
         const auto depth = frame.depth(), amplitude = frame.amplitude();

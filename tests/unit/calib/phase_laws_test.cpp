@@ -1,5 +1,6 @@
 #include "calib/panel_map.hpp"
 #include "calib/phase_laws.hpp"
+#include "tests/unit/calib/cycles.hpp"
 #include "tests/unit/calib/random_numbers.hpp"
 
 #include <gtest/gtest.h>
@@ -10,11 +11,6 @@
 
 namespace autostereo::calib {
 namespace {
-
-using Real = long double;
-
-/// Distance on a circle of one cycle.
-Real apart(Real a, Real b) { return std::abs(a - b - std::round(a - b)); }
 
 Real phaseOf(const LinearPhase& law, int x, int y, int c) {
     return static_cast<Real>(law.perColumn) * x + static_cast<Real>(law.perRow) * y +

@@ -5,6 +5,7 @@
 #include "calib/phase_laws.hpp"
 #include "calib/tile_view.hpp"
 #include "tests/oracle/display_oracle.hpp"
+#include "tests/unit/calib/cycles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +13,6 @@
 
 namespace autostereo::calib {
 namespace {
-
-using Real = long double;
-
-Real apart(Real a, Real b) { return std::abs(a - b - std::round(a - b)); }
 
 LookingGlassCalibration unitWithCells(CellPattern pattern) {
     LookingGlassCalibration unit;

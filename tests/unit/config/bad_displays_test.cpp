@@ -10,7 +10,7 @@
 namespace autostereo::config {
 namespace {
 
-constexpr bad::Case kCases[] = {
+constexpr bad::Case kBadDisplays[] = {
     {"empty", bad::kVanBerkel, "", "",
      "x.toml:1:1: type: missing, wanted a word (allowed linear, van_berkel, looking_glass, cubevi, "
      "table, lut, line_screen, two_view_tracked, quilt, 2d_plus_depth, side_by_side, top_bottom, "
@@ -149,7 +149,7 @@ TEST_P(BadDisplays, SayWhatAndWhere) {
         EXPECT_EQ(message, tested.message);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, BadDisplays, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, BadDisplays, testing::ValuesIn(kBadDisplays),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(BadDisplaysTexts, AreGoodUntouched) {

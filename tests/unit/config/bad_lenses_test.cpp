@@ -10,7 +10,7 @@
 namespace autostereo::config {
 namespace {
 
-constexpr bad::Case kCases[] = {
+constexpr bad::Case kBadLenses[] = {
     {"lensOfNothing", bad::kVanBerkel, "subpixels_per_lens = 8", "subpixels_per_lens = 0",
      "x.toml:9:22: lens.subpixels_per_lens: 0 is out of range (allowed 1 to 1000)"},
     {"lensNaN", bad::kVanBerkel, "subpixels_per_lens = 8", "subpixels_per_lens = nan",
@@ -163,7 +163,7 @@ TEST_P(BadLenses, SayWhatAndWhere) {
     EXPECT_EQ(bad::messageOf(test::edited(tested.text, tested.from, tested.to)), tested.message);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, BadLenses, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, BadLenses, testing::ValuesIn(kBadLenses),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 } // namespace

@@ -100,13 +100,13 @@ TEST_F(DisplayFile, everyLineOfTheFileIsNeeded) {
     }
 }
 
-struct Malformed {
+struct MalformedDisplay {
     const char* from;
     const char* to;
     const char* message;
 };
 
-constexpr Malformed kMalformed[] = {
+constexpr MalformedDisplay kMalformedDisplays[] = {
     {"", "",
      "x.toml:1:1: type: missing, wanted a word (allowed linear, van_berkel, "
      "looking_glass, cubevi, table, lut, line_screen, two_view_tracked, quilt, 2d_plus_depth, "
@@ -184,7 +184,7 @@ constexpr Malformed kMalformed[] = {
     {"", "\x89PNG\r\n\x1a\n", "x.toml:1:1: syntax: Encountered invalid utf-8 sequence"}};
 
 TEST_F(DisplayFile, malformedSaysWhatAndWhere) {
-    for (const Malformed& bad : kMalformed) {
+    for (const MalformedDisplay& bad : kMalformedDisplays) {
         write("x.toml", test::edited(kDisplay, bad.from, bad.to));
         EXPECT_EQ(test::messageOf<ConfigError>([] { (void)loadDisplay("x.toml"); }), bad.message);
     }
@@ -198,7 +198,7 @@ dpi = 324
 flip_image_x = false
 )";
 
-constexpr Malformed kMalformedLens[] = {
+constexpr MalformedDisplay kMalformedLens[] = {
     {"pitch = 52.5", "pitch = 0", "x.toml:3:9: lens.pitch: 0 is out of range (allowed 1 to 1000)"},
     {"pitch = 52.5", "pich = 52.5", "x.toml:3:1: lens.pich: unknown key (did you mean pitch?)"},
     {"slope = -7.1", "slope = 0",
@@ -210,7 +210,7 @@ constexpr Malformed kMalformedLens[] = {
      "x.toml:7:16: lens.flip_image_x: is an integer, wanted true or false"}};
 
 TEST_F(DisplayFile, malformedLensSaysWhatAndWhere) {
-    for (const Malformed& bad : kMalformedLens) {
+    for (const MalformedDisplay& bad : kMalformedLens) {
         const std::string lens = test::edited(kLookingGlassLens, bad.from, bad.to);
         write("x.toml", "type = \"looking_glass\"\n" + lens);
         EXPECT_EQ(test::messageOf<ConfigError>([] { (void)loadDisplay("x.toml"); }), bad.message);

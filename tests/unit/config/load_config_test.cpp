@@ -106,14 +106,17 @@ origin_mm = [10, 250, -20]
 rotation_deg = [0, 180, 0]
 axis_scale = [-1, 1, 1]
 angle_scale = [0, 0, -1]
+camera_fov_deg = 90
 [rest]
 hours = ["mon-fri 09:00-18:00", "sun 20:00-02:00"]
 presence_m = 1.5
 presence_percent = 25
 leave_s = 0.5
+monitor_off_s = 90
 
 [idle]
 freeze_s = 2.5
+content = "idle.glb"
 [messages]
 starting = "a"
 no_input = "b"
@@ -166,9 +169,11 @@ level = "trace"
         {1, 2, 3, 0.5},
         300ms,
         250ms,
-        {glm::dvec3{0.01, 0.25, -0.02}, {0, std::numbers::pi, 0}, {-1, 1, 1}, {0, 0, -1}}};
-    expected.idle = {2500ms, {}, "a", "b", "c", "d", "e", ""};
-    expected.rest = {{{0x1F, 540, 1080}, {0x40, 1200, 120}}, 1.5, 0.25, 500ms};
+        {glm::dvec3{0.01, 0.25, -0.02}, {0, std::numbers::pi, 0}, {-1, 1, 1}, {0, 0, -1}},
+        std::nullopt,
+        std::numbers::pi / 2};
+    expected.idle = {2500ms, "idle.glb", "a", "b", "c", "d", "e", ""};
+    expected.rest = {{{0x1F, 540, 1080}, {0x40, 1200, 120}}, 1.5, 0.25, 500ms, 90s};
     expected.control = {"/run/kiosk.sock", "museum"};
     expected.ring = {12500ms, std::size_t{64} << 20U};
     expected.http = {ListenAddress{"192.168.1.5", 80, false}, "/etc/token"};
@@ -185,21 +190,30 @@ TEST_F(LoadConfig, filesAreLookedForBesideTheirConfiguration) {
     EXPECT_EQ(loadConfig("site/page.toml").http.tokenFile, "site/token");
     write("site/eyes.toml", "[viewer]\nsource = 'file:walk.csv'\n");
     EXPECT_EQ(loadConfig("site/eyes.toml").viewer.source, "file:site/walk.csv");
+    write("site/webcam.toml",
+          "version = 1\nprovenance = 'a test'\n[color]\nwidth = 640\nheight = 480\n"
+          "fx = 554\nfy = 555\ncx = 319\ncy = 241\n");
+    write("site/seen.toml", "[viewer]\ncamera_rig = 'webcam.toml'\n");
+    const auto camera = loadConfig("site/seen.toml").viewer.camera;
+    ASSERT_TRUE(camera);
+    EXPECT_EQ(camera->intrinsics.fy, 555);
     write("site/other.toml", "[input]\nrig = '/etc/rig.toml'\n[display]\nprofile = 'preview'\n");
     EXPECT_EQ(loadConfig("site/other.toml").rig, "/etc/rig.toml");
     EXPECT_EQ(loadConfig("site/other.toml").display, "preview");
 }
 
-struct Malformed {
+struct MalformedConfig {
     const char* text;
     const char* message;
 };
 
-constexpr Malformed kMalformed[] = {
+constexpr MalformedConfig kMalformedConfigs[] = {
     {"[viewer]\norigin_mm = [1, 2]\n",
      "x.toml:2:13: viewer.origin_mm: is no place (allowed [] or [x, y, z])"},
     {"[viewer]\neye_spacing_mm = 0.063\n",
      "x.toml:2:18: viewer.eye_spacing_mm: 0.063 is out of range (allowed 30 to 90)"},
+    {"[viewer]\ncamera_fov_deg = 180\n",
+     "x.toml:2:18: viewer.camera_fov_deg: 180 is out of range (allowed 0 to 170)"},
     {"[mesh]\ncut_ratio = 1.5\n",
      "x.toml:2:13: mesh.cut_ratio: 1.5 is out of range (allowed 0.005 to 0.5)"},
     {"[mesh]\ncut_ratoi = 0.1\n",
@@ -267,8 +281,9 @@ constexpr Malformed kMalformed[] = {
      "x.toml:2:15: picture.clear_color: is a string, wanted an array of 3 numbers "
      "(allowed 0 to 1)"},
     {"[idle]\nfreeze_s = 5\n", "x.toml:2:12: idle.freeze_s: 5 is out of range (allowed 0 to 4)"},
-    {"[idle]\npicture = 'nowhere.png'\n",
-     "x.toml:2:11: idle.picture: cannot read nowhere.png: No such file or directory"},
+    {"[idle]\ncontent = 'idle.mp4'\n",
+     "x.toml:2:11: idle.content: \"idle.mp4\" is of no kind that can be shown (allowed .png, .jpg, "
+     ".jpeg, quilts ..._qs8x6a0.75.png, .mkv, .oni, .glb, .gltf, .obj, .ply)"},
     {"[input]\nwait = true\n",
      "x.toml:2:8: input.wait: is a boolean, wanted a word (allowed auto, yes, no)"},
     {"[http]\nlisten = 'localhost:8787'\n",
@@ -289,7 +304,7 @@ constexpr Malformed kMalformed[] = {
      "(U+0009) are explicitly prohibited"}};
 
 TEST_F(LoadConfig, malformedSaysWhatAndWhere) {
-    for (const Malformed& bad : kMalformed) {
+    for (const MalformedConfig& bad : kMalformedConfigs) {
         write("x.toml", bad.text);
         EXPECT_EQ(test::messageOf<ConfigError>([] { (void)loadConfig("x.toml"); }), bad.message);
     }

@@ -94,13 +94,13 @@ TEST_F(LoadRig, malformedJsonIsAConfigError) {
                 ::testing::HasSubstr("no.json: No such file or directory"));
 }
 
-struct Malformed {
+struct MalformedRig {
     const char* from;
     const char* to;
     const char* message;
 };
 
-constexpr Malformed kMalformed[] = {
+constexpr MalformedRig kMalformedRigs[] = {
     {"", "",
      "x.toml:1:1: color.cx: missing, wanted a number (allowed -1000000 to "
      "1000000)"},
@@ -138,7 +138,7 @@ constexpr Malformed kMalformed[] = {
      "numbers (allowed -1.001 to 1.001)"}};
 
 TEST_F(LoadRig, malformedSaysWhatAndWhere) {
-    for (const Malformed& bad : kMalformed) {
+    for (const MalformedRig& bad : kMalformedRigs) {
         write("x.toml", test::edited(kRig, bad.from, bad.to));
         EXPECT_EQ(test::messageOf<ConfigError>([] { (void)loadRig("x.toml"); }), bad.message);
     }

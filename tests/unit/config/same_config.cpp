@@ -64,7 +64,7 @@ void expectSameService(const Config& a, const Config& b) {
     EXPECT_EQ(a.ring, b.ring);
     EXPECT_EQ(a.http, b.http);
     EXPECT_EQ(a.idle.freeze, b.idle.freeze);
-    EXPECT_EQ(a.idle.picture, b.idle.picture);
+    EXPECT_EQ(a.idle.content, b.idle.content);
     EXPECT_EQ(a.idle.startingText, b.idle.startingText);
     EXPECT_EQ(a.idle.noInputText, b.idle.noInputText);
     EXPECT_EQ(a.idle.depthLostText, b.idle.depthLostText);
@@ -75,6 +75,7 @@ void expectSameService(const Config& a, const Config& b) {
     EXPECT_EQ(a.rest.presenceM, b.rest.presenceM);
     EXPECT_EQ(a.rest.presenceShare, b.rest.presenceShare);
     EXPECT_EQ(a.rest.leave, b.rest.leave);
+    EXPECT_EQ(a.rest.monitorOff, b.rest.monitorOff);
 }
 
 } // namespace

@@ -10,7 +10,7 @@
 namespace autostereo::daemon {
 namespace {
 
-const std::string kToken = "0123456789abcdef-_XYZ";
+const std::string kSecret = "0123456789abcdef-_XYZ";
 
 TEST(HttpGuard, OnlyItsOwnAddressesAreItsNames) {
     for (const char* host : {"127.0.0.1", "127.0.0.1:8787", "localhost", "LocalHost:99", "[::1]",
@@ -54,18 +54,20 @@ TEST(HttpGuard, OnlyItsOwnPageIsItsOrigin) {
 
 TEST(HttpToken, OpensForItselfAlone) {
     const test::ScratchFolder folder;
-    const auto file = folder.write("token", kToken + "\n");
+    const auto file = folder.write("token", kSecret + "\n");
     ::chmod(file.c_str(), 0640);
     const HttpToken token(file);
     EXPECT_TRUE(token.exists());
-    EXPECT_TRUE(token.opens("Bearer " + kToken));
+    EXPECT_TRUE(token.opens("Bearer " + kSecret));
+    std::string twice = "Bearer " + kSecret;
+    twice += kSecret;
     for (const std::string& wrong :
-         {std::string(), std::string("Bearer "), kToken, "bearer " + kToken,
-          "Bearer " + kToken + " ", "Bearer " + kToken.substr(1),
-          "Bearer " + kToken.substr(0, kToken.size() - 1), "Bearer " + kToken + kToken,
-          "Bearer " + std::string(kToken.size(), 'x'), "Basic " + kToken})
+         {std::string(), std::string("Bearer "), kSecret, "bearer " + kSecret,
+          "Bearer " + kSecret + " ", "Bearer " + kSecret.substr(1),
+          "Bearer " + kSecret.substr(0, kSecret.size() - 1), twice,
+          "Bearer " + std::string(kSecret.size(), 'x'), "Basic " + kSecret})
         EXPECT_FALSE(token.opens(wrong)) << wrong;
-    std::string almost = "Bearer " + kToken;
+    std::string almost = "Bearer " + kSecret;
     for (std::size_t i = 7; i < almost.size(); ++i) {
         std::string wrong = almost;
         wrong[i] = '*';
@@ -112,7 +114,7 @@ TEST(HttpToken, FilesThatAreNoneAreRefusedInOneLine) {
         EXPECT_NE(problem.find("it holds no token"), std::string::npos) << problem;
         EXPECT_EQ(problem.find('\n'), std::string::npos);
     }
-    ASSERT_EQ(with(kToken), "none");
+    ASSERT_EQ(with(kSecret), "none");
     ::chmod((folder / "token").c_str(), 0644);
     EXPECT_NE(problemOf(folder / "token").find("everybody may read it"), std::string::npos);
     EXPECT_NE(problemOf(folder.path()).find("it is no file"), std::string::npos);

@@ -43,6 +43,7 @@ Report exampleReport() {
     report.keptShare = 0.75;
     report.keptPicture = 0.5;
     report.keptColor = 0.25;
+    report.colorWay = "filled";
     return report;
 }
 
@@ -97,6 +98,7 @@ TEST_F(ReportFile, HasTheFieldsOfTheContract) {
         "picture_kept_share": 0.5,
         "fusion_kept_share": null,
         "color_kept_share": 0.25,
+        "color_way": "filled",
         "stages": {
             "upload": {"p50_ms": 50.0, "p99_ms": 99.0},
             "mesh": {"p50_ms": null, "p99_ms": null}

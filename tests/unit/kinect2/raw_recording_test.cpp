@@ -14,6 +14,7 @@
 #include <fstream>
 #include <thread>
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -239,6 +240,58 @@ TEST(RawRecording, AFullDiskEndsTheRecordingOnly) {
     } catch (const std::runtime_error& error) {
         EXPECT_NE(std::string(error.what()).find("No space left on device"), std::string::npos);
     }
+}
+
+/// As long as this lives no file of this program grows beyond so much.
+class LargestFile {
+  public:
+    explicit LargestFile(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+    }
+    LargestFile(const LargestFile&) = delete;
+    LargestFile& operator=(const LargestFile&) = delete;
+    ~LargestFile() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+
+  private:
+    void (*handler_)(int);
+    rlimit before_{};
+};
+
+TEST(RawRecording, ADiskThatFillsUpLeavesWhatCanBePlayed) {
+    const ScratchFolder folder;
+    const std::string file = folder / "a.k2raw";
+    constexpr rlim_t kRoom = 8U << 20U; // the pages, two frames and a part of one
+    std::uint64_t written = 0;
+    {
+        const LargestFile largest(kRoom);
+        RawRecorder recorder(file);
+        recorder.start(pages(), TimePoint(50s));
+        for (int i = 0; i < 12 && recorder.counters().error.empty(); ++i) {
+            send(recorder, frames()[static_cast<std::size_t>(i % 3)], TimePoint(50s + 33ms * i));
+            std::this_thread::sleep_for(50ms);
+        }
+        const auto ended = recorder.counters();
+        EXPECT_NE(ended.error.find("cannot record to " + file + ": File too large"),
+                  std::string::npos)
+            << ended.error;
+        // Whoever goes on sending neither waits nor fills memory.
+        for (int i = 0; i < 100; ++i)
+            send(recorder, frames()[0], TimePoint(51s));
+        recorder.finish();
+        EXPECT_GE(recorder.counters().leftOut, ended.leftOut + 10'000);
+        EXPECT_EQ(recorder.counters().bytes, ended.bytes);
+        written = recorder.counters().bytes;
+    }
+    EXPECT_GE(std::filesystem::file_size(file), written);
+    EXPECT_LE(std::filesystem::file_size(file), kRoom);
+    devices::Input input = openRawRecording(file, std::nullopt);
+    EXPECT_GE(play(*input.depth).size(), 1U);
+    EXPECT_EQ(input.depth->counters().damaged, 0U) << "cut is not damaged";
 }
 
 TEST(RawRecording, AnotherFileIsNone) {

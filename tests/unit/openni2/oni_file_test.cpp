@@ -136,5 +136,21 @@ TEST_F(OniFile, DamagedFilesEndOrAreRefused) {
     }
 }
 
+TEST_F(OniFile, WhatIsNoneIsSaidInOneLine) {
+    std::ofstream(file) << "nothing";
+    ::testing::internal::CaptureStderr();
+    try {
+        static_cast<void>(openInput(file.string()));
+        ADD_FAILURE() << "opened";
+    } catch (const DeviceError& error) {
+        const std::string what = error.what();
+        EXPECT_EQ(what.find(file.string() + ": no "), 0U) << what;
+        EXPECT_NE(what.find("no OpenNI2 recording: openni2: cannot open "), std::string::npos)
+            << what;
+        EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    }
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 } // namespace
 } // namespace autostereo::test

@@ -63,7 +63,7 @@ TEST(EyeTrace, PlaysOnceByTheClock) {
     devices::ViewerParams params;
     params.source = "file:" + folder.write("t.csv", kGood).string();
     const auto start = clock.now();
-    const auto source = devices::openEyes(params, {0, 0, 0.65}, start, clock);
+    const auto source = devices::openEyes(params, {0, 0, 0.65}, start, false, clock);
     ASSERT_TRUE(source->next(start));
     EXPECT_FALSE(source->next(start + 499ms));
     const auto second = source->next(start + 5s);
@@ -78,8 +78,9 @@ TEST(EyeTrace, AFileThatIsNotThereIsSaid) {
     FakeClock clock;
     devices::ViewerParams params;
     params.source = "file:/nowhere/t.csv";
-    EXPECT_THROW(static_cast<void>(devices::openEyes(params, {0, 0, 0.65}, clock.now(), clock)),
-                 devices::DeviceError);
+    EXPECT_THROW(
+        static_cast<void>(devices::openEyes(params, {0, 0, 0.65}, clock.now(), false, clock)),
+        devices::DeviceError);
 }
 
 } // namespace

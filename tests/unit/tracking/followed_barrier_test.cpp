@@ -6,7 +6,6 @@
 #include "calib/optics.hpp"
 #include "config/load.hpp"
 #include "devices/tracking/eye_follower.hpp"
-#include "tests/stress/campaign.hpp"
 #include "tests/support/walker.hpp"
 #include "tests/unit/calib/seen_light.hpp"
 #include "tests/unit/tracking/eye_times.hpp"
@@ -23,6 +22,7 @@ namespace {
 using calib::EyePair;
 
 constexpr double kDelayS = 0.03, kTrackerHz = 100;
+constexpr int kPositions = 300; ///< of a walk of 7 s, both turns in it
 
 /// Light of each view at each eye, of some rows of the panel.
 struct Light {
@@ -63,11 +63,10 @@ class FollowedBarrierTest : public testing::Test {
         devices::ViewerParams params;
         params.delay = predicted;
         devices::EyeFollower follower(params, walker.at(0));
-        const auto positions = static_cast<int>(campaign(60, 300));
         Found found;
         int sample = 0;
-        for (int i = 0; i < positions; ++i) {
-            const double seen = 1.2 + 7.0 * i / positions, latched = seen - kDelayS;
+        for (int i = 0; i < kPositions; ++i) {
+            const double seen = 1.2 + 7.0 * i / kPositions, latched = seen - kDelayS;
             for (; sample / kTrackerHz <= latched; ++sample)
                 follower.add(
                     {atSeconds(sample / kTrackerHz), noise.on(walker.at(sample / kTrackerHz))});
@@ -93,6 +92,8 @@ class FollowedBarrierTest : public testing::Test {
 
     calib::DisplayProfile display = config::loadDisplay("personal-varrier-30-b");
     calib::DisplayOptics optics = calib::displayOptics(display).value();
+    /// What is lit and what is seen run on alike from row to row, a line's whole period in 33 rows:
+    /// with 80 rows own light and leak differ by less than 0.002.
     std::vector<int> rows = calib::spreadRows(display.height, 4);
 };
 
@@ -102,8 +103,9 @@ constexpr devices::Duration kNot = devices::Duration::zero();
 TEST_F(FollowedBarrierTest, EyesThatAreKnownSeeTheirOwnLightOnly) {
     for (const double speed : {0.5, 1.5}) {
         const Walker walker(speed, display.viewingDistanceM);
-        for (int i = 0; i < 100; ++i) {
-            const Light light = lightOf(walker.at(0.08 * i), walker.at(0.08 * i));
+        for (int i = 0; i < kPositions; ++i) {
+            const double at = 7.0 * i / kPositions;
+            const Light light = lightOf(walker.at(at), walker.at(at));
             for (const std::size_t eye : {std::size_t{0}, std::size_t{1}}) {
                 EXPECT_GT(light.own[eye], 0);
                 EXPECT_LT(light.other[eye], 0.01 * light.own[eye]);
@@ -115,14 +117,14 @@ TEST_F(FollowedBarrierTest, EyesThatAreKnownSeeTheirOwnLightOnly) {
 /// Markers on the head, as the Varrier's viewers wore; and a face found in a webcam's picture.
 const TrackerNoise kMarkers(0.0003, 0.0003, 11), kFace(0.0005, 0.0015, 12);
 
-// 90 % of the own light allow for 3.5 mm. Five eyes in a hundred have less: where the walker turns,
-// the speed is known too late.
+// 90 % of the own light allow for 3.5 mm; least is left where the walker turns, as the speed is
+// known late there.
 TEST_F(FollowedBarrierTest, ASlowWalkerKeepsTheOwnLight) {
     const Found predicted = walk(0.5, kPredicted, kMarkers), late = walk(0.5, kNot, kMarkers);
-    EXPECT_GE(predicted.ownOf(0.95), 0.9);
-    EXPECT_GE(predicted.ownOf(1), 0.8);
+    EXPECT_GE(predicted.ownOf(1), 0.9);
     EXPECT_LT(predicted.mostLeak, 0.01);
     EXPECT_LT(late.ownOf(0.5), 0.7);
+    EXPECT_GT(late.mostLeak, 0.01);
 }
 
 TEST_F(FollowedBarrierTest, AFastWalkerIsKeptFromTheOtherEyesLight) {

@@ -138,7 +138,7 @@ std::string refusal(const std::string& uri) {
     devices::ViewerParams params;
     params.source = uri;
     try {
-        static_cast<void>(devices::openEyes(params, kNominal, clock.now(), clock));
+        static_cast<void>(devices::openEyes(params, kNominal, clock.now(), false, clock));
     } catch (const devices::DeviceError& error) {
         return error.what();
     }
@@ -161,8 +161,9 @@ TEST(OpenEyes, AddressesAreRefusedInOneLine) {
               "opentrack: cannot listen on 203.0.113.1:4242: Cannot assign requested address");
     EXPECT_EQ(refusal("opentrack:4242?rate=3"),
               "opentrack:4242?rate=3: unknown key rate (allowed none)");
-    EXPECT_EQ(refusal("camera:0"), "viewer: camera:0: no tracker (allowed file:TRACE, "
-                                   "opentrack:[ADDRESS:]PORT)");
+    EXPECT_EQ(refusal("webcam:0"),
+              "viewer: webcam:0: no tracker (allowed camera:[URI], file:TRACE, "
+              "opentrack:[ADDRESS:]PORT)");
 }
 
 TEST(OpenEyes, APortThatIsTakenIsSaid) {

@@ -38,6 +38,8 @@ TEST(CameraAddress, HowTheCameraIsRun) {
     EXPECT_EQ(parsed("v4l2:?format=Y16").role, Role::Depth);
     EXPECT_EQ(parsed("v4l2:?as=depth&unit_mm=0.1").depthUnitM, 0.0001);
     EXPECT_FALSE(parsed("v4l2:").role);
+    EXPECT_TRUE(parsed("v4l2:").zeroCopy);
+    EXPECT_FALSE(parsed("v4l2:?zero_copy=off").zeroCopy);
 }
 
 std::string complaint(const std::string& query) try {
@@ -59,6 +61,8 @@ TEST(CameraAddress, MistakesAreNamed) {
                                         "GREY, Z16, Y16)");
     EXPECT_NE(complaint("fps=0"), "");
     EXPECT_NE(complaint("power_line=55"), "");
+    EXPECT_EQ(complaint("zero_copy=on"),
+              "v4l2:?zero_copy=on: zero_copy = 'on' (allowed auto, off)");
     EXPECT_NE(complaint("colour=red"), "");
 }
 

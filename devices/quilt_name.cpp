@@ -1,8 +1,8 @@
-#include "daemon/commands/quilt_name.hpp"
+#include "devices/quilt_name.hpp"
 
 #include <charconv>
 
-namespace autostereo::daemon {
+namespace autostereo::devices {
 
 std::optional<QuiltName> quiltName(const std::string& file) {
     const auto at = file.rfind("_qs");
@@ -25,4 +25,4 @@ std::optional<QuiltName> quiltName(const std::string& file) {
     return name;
 }
 
-} // namespace autostereo::daemon
+} // namespace autostereo::devices

@@ -1,0 +1,4 @@
+#version 450 core
+layout(location = 0) out vec4 color;
+
+void main() { color = vec4(0.0, 0.0, 0.0, 1.0); }
